@@ -3,10 +3,11 @@
 //
 //   engine_shots_bench MESH [--unit 1] [--lines 128] [--rounds 3] [--only front]
 //
-// Lines are those of one bundle of lines x lines: as a grid from the front, as a grid from an odd
-// direction, and through the mesh's vertices. Prints for each kind the least time of some rounds:
-// of the search alone, of the whole run with depths, and of the decisions alone, for each hit. A
-// line with an odd number of crossings starts or ends inside of the mesh, or the mesh is open.
+// Lines are those of a grid of about lines x lines from the front and from an odd direction, in
+// bundles of 64 x 64 as in a job, and one bundle of as many lines through the mesh's vertices.
+// Prints for each kind the least time of some rounds: of the search alone, of the whole run with
+// depths, and of the decisions alone, for each hit. A line with an odd number of crossings starts
+// or ends inside of the mesh, or the mesh is open.
 #include "bench/timed_work.hpp"
 #include "client/bundle/bundle_poses.hpp"
 #include "client/bundle/line_bundle.hpp"
@@ -39,11 +40,11 @@ struct Options {
     std::string only;
 };
 
-/// Lines, and where they are.
+/// A bundle of lines, and where it is.
 struct Kind {
     std::string name;
     Mesh lines;
-    Pose pose;
+    std::vector<Pose> poses;
 };
 
 /// Returns parallel lines through random vertices of a mesh. The direction has few digits, so that
@@ -63,16 +64,20 @@ std::vector<Kind> kinds_of(const Mesh& mesh, const Options& options) {
     const Aabb box = bounding_box(mesh.vertices());
     const double reach = bundle_reach(box);
     LineGrid grid;
-    grid.tile = options.lines;
     grid.spacing = box.diagonal() / options.lines;
     const Mesh bundle = make_bundle(grid, reach).value();
-    const auto from = [&](double azimuth_deg, double elevation_deg) {
-        return Pose::from_quaternion(view_rotation({azimuth_deg, elevation_deg}), box.center());
+    const auto from = [&](const ShotView& view) {
+        std::vector<Pose> poses;
+        const std::vector<BundlePose> places = bundle_poses(grid, {&view, 1}, box).value();
+        for (const BundlePose& place : places) {
+            poses.push_back(place.pose);
+        }
+        return poses;
     };
     return {
-        {"front", bundle, from(0, 0)},
-        {"odd direction", bundle, from(33, 17)},
-        {"vertices", lines_through_vertices(mesh, options.lines * options.lines, reach), Pose()}};
+        {"front", bundle, from({0, 0})},
+        {"odd direction", bundle, from({33, 17})},
+        {"vertices", lines_through_vertices(mesh, options.lines * options.lines, reach), {Pose()}}};
 }
 
 /// Returns the least time of some rounds.
@@ -87,13 +92,20 @@ double least_seconds(int rounds, const Work& work) {
     return least;
 }
 
-ScenarioResult run_lines(const ObbTree& body, const ObbTree& lines, const Pose& pose, Level level) {
+std::vector<ScenarioResult>
+run_lines(const ObbTree& body, const ObbTree& lines, const std::vector<Pose>& poses, Level level) {
     Query query;
     query.level = level;
     query.question = Question::Shots;
+    const ScenarioRunner runner(body, lines, query);
+    ScenarioSession session(runner);
+    std::vector<ScenarioResult> results;
     Scenario scenario;
-    scenario.poses.b = pose;
-    return run_scenario(body, lines, scenario, query).result;
+    for (const Pose& pose : poses) {
+        scenario.poses.b = pose;
+        results.push_back(session.run(scenario).result);
+    }
+    return results;
 }
 
 /// The triangles that each line touches.
@@ -123,9 +135,8 @@ struct Decided {
     std::uint64_t odd_lines = 0;
 };
 
-Decided decide_all(const std::vector<Touched>& touched, const Pose& pose) {
+void decide(const std::vector<Touched>& touched, const Pose& pose, Decided& decided) {
     SegmentHit engine({Pose(), pose});
-    Decided decided;
     for (const Touched& each : touched) {
         std::uint64_t crossings = 0;
         for (const LineHit& hit : engine.hits(each.triangles, each.line)) {
@@ -134,28 +145,35 @@ Decided decide_all(const std::vector<Touched>& touched, const Pose& pose) {
         decided.crossings += crossings;
         decided.odd_lines += crossings % 2;
     }
-    decided.statistics = engine.statistics();
-    return decided;
+    decided.statistics += engine.statistics();
 }
 
 void measure(const Mesh& mesh, const ObbTree& body, const Kind& kind, int rounds) {
     ThreadPool pool;
     const ObbTree lines = build_tree(std::make_shared<const Mesh>(kind.lines), {}, pool);
-    ScenarioResult result;
+    std::vector<ScenarioResult> results;
     const double search =
-        least_seconds(rounds, [&] { result = run_lines(body, lines, kind.pose, Level::Count); });
+        least_seconds(rounds, [&] { results = run_lines(body, lines, kind.poses, Level::Count); });
     const double whole =
-        least_seconds(rounds, [&] { result = run_lines(body, lines, kind.pose, Level::Pairs); });
-    if (result.kind == ScenarioClass::Failed) {
-        std::printf("%-14s %s\n", kind.name.c_str(), result.failure.c_str());
-        return;
+        least_seconds(rounds, [&] { results = run_lines(body, lines, kind.poses, Level::Pairs); });
+    std::vector<std::vector<Touched>> touched;
+    double hits = 0;
+    for (const ScenarioResult& result : results) {
+        if (result.kind == ScenarioClass::Failed) {
+            std::printf("%-14s %s\n", kind.name.c_str(), result.failure.c_str());
+            return;
+        }
+        touched.push_back(touched_of(mesh, kind.lines, result));
+        hits += static_cast<double>(result.pair_count);
     }
-    const std::vector<Touched> touched = touched_of(mesh, kind.lines, result);
     Decided decided;
-    const double decisions =
-        least_seconds(rounds, [&] { decided = decide_all(touched, kind.pose); });
-    const auto count = static_cast<double>(kind.lines.triangles().size());
-    const auto hits = static_cast<double>(result.pair_count);
+    const double decisions = least_seconds(rounds, [&] {
+        decided = {};
+        for (std::size_t i = 0; i < touched.size(); ++i) {
+            decide(touched[i], kind.poses[i], decided);
+        }
+    });
+    const auto count = static_cast<double>(kind.lines.triangles().size() * kind.poses.size());
     std::printf("%-14s %8.0f lines %9.0f hits %9llu crossings %6llu odd lines  search %6.2f, whole "
                 "%6.2f M lines/s  %7.0f ns a hit",
                 kind.name.c_str(),

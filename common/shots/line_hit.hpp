@@ -3,6 +3,7 @@
 
 #include "common/geometry/types.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace cd {
@@ -44,5 +45,17 @@ struct LineHit {
 
     friend bool operator==(const LineHit&, const LineHit&) = default;
 };
+
+/// Returns whether two triangles have the same three corners, in any order. A line passes through
+/// both at one exact depth.
+[[nodiscard]] inline bool are_coincident(const Corners& l, const Corners& r) {
+    return std::is_permutation(l.begin(), l.end(), r.begin());
+}
+
+/// The order of a line's hits at one exact depth: leaving hits come before entering ones, and these
+/// before others.
+[[nodiscard]] inline int order_at_one_depth(std::uint8_t flags) {
+    return (flags & hit_flag::back) != 0 ? 0 : (flags & hit_flag::front) != 0 ? 1 : 2;
+}
 
 } // namespace cd

@@ -153,13 +153,9 @@ HitDecision decide(const InDouble& in_double, LaterHitSigns& later) {
     return decide_hit(signs);
 }
 
-/// Leaving hits come before entering ones, and these before others.
-int order_of(std::uint8_t flags) {
-    return (flags & hit_flag::back) != 0 ? 0 : (flags & hit_flag::front) != 0 ? 1 : 2;
-}
-
 bool is_earlier_at_one_place(const LineHit& l, const LineHit& r) {
-    return std::pair(order_of(l.flags), l.triangle) < std::pair(order_of(r.flags), r.triangle);
+    return std::pair(order_at_one_depth(l.flags), l.triangle) <
+           std::pair(order_at_one_depth(r.flags), r.triangle);
 }
 
 /// The corner or edge at which a line passes through a triangle: the ends of the edge, the
@@ -266,13 +262,22 @@ struct SegmentHit::State {
         return rounded_depth(find(a, line, statistics.depths)->share, length);
     }
 
+    /// Returns whether hits are plainly at one exact depth: at one border, or on triangles with the
+    /// same corners.
+    [[nodiscard]] bool are_at_one_place(std::span<const LineHit> alike,
+                                        std::span<const Corners> a) const {
+        const std::uint32_t one = alike.front().triangle;
+        const std::optional<Border>& border = borders[one];
+        return std::ranges::all_of(alike, [&](const LineHit& hit) {
+            return (border && borders[hit.triangle] == border) ||
+                   are_coincident(a[hit.triangle], a[one]);
+        });
+    }
+
     /// Orders hits of one rounded depth by their exact shares, and ranks them.
     void order(std::span<LineHit> alike, std::span<const Corners> a, const Segment& line) {
         statistics.ties += alike.size();
-        const std::optional<Border>& first = borders[alike.front().triangle];
-        if (first && std::all_of(alike.begin(), alike.end(), [&](const LineHit& hit) {
-                return borders[hit.triangle] == first;
-            })) {
+        if (are_at_one_place(alike, a)) {
             std::sort(alike.begin(), alike.end(), is_earlier_at_one_place);
             return;
         }

@@ -10,12 +10,16 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace cd {
 
 namespace {
+
+/// No slot has this number.
+constexpr std::uint32_t no_slot = 0xffffffff;
 
 /// A hit, and where its triangle and line are.
 struct Pass {
@@ -60,14 +64,39 @@ class LinesByBundle {
     std::vector<KnownLines> known_; ///< Those used last come first.
 };
 
-std::vector<std::uint32_t> lines_in(const FoundContacts& found) {
-    std::vector<std::uint32_t> lines;
-    for (const ContactPair& pair : found.pairs()) {
-        lines.push_back(pair.b);
+/// Sorts hits, of which those of a triangle mostly follow each other in the order of their lines.
+class ShotSorter {
+  public:
+    void sort(std::vector<LineShot>& shots) {
+        begins_.clear();
+        triangles_.clear();
+        for (std::size_t i = 0; i < shots.size(); ++i) {
+            if (i == 0 || shots[i].triangle != shots[i - 1].triangle) {
+                begins_.push_back(static_cast<std::uint32_t>(i));
+                triangles_.push_back(shots[i].triangle);
+            }
+        }
+        begins_.push_back(static_cast<std::uint32_t>(shots.size()));
+        sorted_.clear();
+        for (const std::uint32_t group : order_.of(triangles_)) {
+            sorted_.insert(
+                sorted_.end(), shots.begin() + begins_[group], shots.begin() + begins_[group + 1]);
+        }
+        const auto place = [](const LineShot& shot) {
+            return std::uint64_t{shot.triangle} << 32 | shot.line;
+        };
+        if (!std::ranges::is_sorted(sorted_, {}, place)) {
+            std::ranges::sort(sorted_, {}, place);
+        }
+        shots.swap(sorted_);
     }
-    std::ranges::sort(lines);
-    return lines;
-}
+
+  private:
+    StableOrder order_;
+    std::vector<std::uint32_t> triangles_; ///< Of each group of hits.
+    std::vector<std::uint32_t> begins_;    ///< Of each group, and the number of all hits.
+    std::vector<LineShot> sorted_;
+};
 
 /// Tells lines whose hits need no further decision from others.
 class SimpleLines {
@@ -76,93 +105,119 @@ class SimpleLines {
     void restart(std::span<const Pass> passes, std::span<const SubtreePair> pairs) {
         passes_ = passes;
         pairs_ = pairs;
-        by_line_.clear();
     }
 
-    /// Keeps the hits of simple lines, with `only_first` the first of each, and moves those of
-    /// other lines to `found`. Returns how many it moves.
-    [[nodiscard]] std::size_t settle(FoundContacts& found, bool only_first) {
-        const std::vector<std::uint32_t> not_simple = lines_in(found);
-        auto next = not_simple.begin();
-        std::size_t moved = 0;
-        keys_.clear();
-        std::ranges::transform(passes_, std::back_inserter(keys_), &Pass::line);
-        const std::span<const std::uint32_t> sorted = order_.of(keys_);
-        for (auto from = sorted.begin(); from != sorted.end();) {
-            const std::uint32_t line = keys_[*from];
-            const auto to =
-                std::find_if(from, sorted.end(), [&](std::uint32_t i) { return keys_[i] != line; });
-            next = std::lower_bound(next, not_simple.end(), line);
-            const bool is_found = next != not_simple.end() && *next == line;
-            if (is_found || !is_simple({from, to})) {
-                move({from, to}, found);
-                moved += static_cast<std::size_t>(to - from);
-            } else {
-                keep({from, to}, only_first);
+    /// Returns the hits of simple lines, with `only_first` the first of each, and moves those of
+    /// other lines to `found`. Counts in `moved` how many it moves.
+    [[nodiscard]] std::span<const LineShot>
+    settle(FoundContacts& found, bool only_first, std::uint64_t& moved) {
+        for (const ContactPair& pair : found.pairs()) {
+            line(pair.b).is_simple = false;
+            touched_.push_back(pair.b);
+        }
+        link();
+        simple_.clear();
+        for (std::uint32_t i = 0; i < passes_.size(); ++i) {
+            const Line& of = lines_[passes_[i].line];
+            if (!of.is_simple) {
+                move(passes_[i], found);
+                ++moved;
+            } else if (!only_first) {
+                keep(i);
+            } else if (of.last == i) {
+                keep(first_of(i));
             }
-            from = to;
         }
-        return moved;
-    }
-
-    /// Returns the hits that were kept by triangle; those of a triangle are in the order of lines.
-    [[nodiscard]] std::span<const LineShot> by_triangle() {
-        keys_.clear();
-        std::ranges::transform(by_line_, std::back_inserter(keys_), &LineShot::triangle);
-        by_triangle_.clear();
-        for (const std::uint32_t i : order_.of(keys_)) {
-            by_triangle_.push_back(by_line_[i]);
+        for (const std::uint32_t touched : touched_) {
+            lines_[touched] = {};
         }
-        return by_triangle_;
+        touched_.clear();
+        sorter_.sort(simple_);
+        return simple_;
     }
 
   private:
-    /// Returns whether all depths of a line, whose hits are given by their indices, are known and
-    /// differ.
-    [[nodiscard]] bool is_simple(std::span<const std::uint32_t> of_line) {
-        if (of_line.size() == 1) {
-            return !std::isnan(passes_[of_line[0]].depth);
+    static constexpr std::uint32_t none = 0xffffffff;
+    /// Lines of more hits are left to SegmentHit: all depths of a line are compared in pairs.
+    static constexpr std::uint32_t hits_most = 128;
+
+    /// A line of the mesh.
+    struct Line {
+        std::uint32_t last = none; ///< Index of its last hit.
+        std::uint32_t hits = 0;
+        bool is_simple = true; ///< All depths are known, and equal ones are exactly equal.
+    };
+
+    [[nodiscard]] Line& line(std::uint32_t number) {
+        if (number >= lines_.size()) {
+            lines_.resize(number + std::size_t{1});
         }
-        depths_.clear();
-        for (const std::uint32_t i : of_line) {
-            if (std::isnan(passes_[i].depth)) {
+        return lines_[number];
+    }
+
+    /// Links the hits of each line, and finds the lines that are not simple.
+    void link() {
+        previous_.resize(passes_.size());
+        for (std::uint32_t i = 0; i < passes_.size(); ++i) {
+            Line& of = line(passes_[i].line);
+            if (of.hits == 0) {
+                touched_.push_back(passes_[i].line);
+            }
+            of.is_simple = of.is_simple && of.hits < hits_most && is_apart(i, of.last);
+            previous_[i] = of.last;
+            of.last = i;
+            ++of.hits;
+        }
+    }
+
+    /// Returns whether a hit's depth is known, and no earlier one of the line rounds alike, unless
+    /// that is on a triangle with the same corners.
+    [[nodiscard]] bool is_apart(std::uint32_t i, std::uint32_t earlier) const {
+        const double depth = passes_[i].depth;
+        for (; earlier != none; earlier = previous_[earlier]) {
+            if (passes_[earlier].depth == depth &&
+                !are_coincident(corners_of(i), corners_of(earlier))) {
                 return false;
             }
-            depths_.push_back(passes_[i].depth);
         }
-        std::ranges::sort(depths_);
-        return std::ranges::adjacent_find(depths_) == depths_.end();
+        return !std::isnan(depth);
     }
 
-    void keep(std::span<const std::uint32_t> of_line, bool only_first) {
-        const auto shot_of = [this](std::uint32_t i) {
+    [[nodiscard]] Corners corners_of(std::uint32_t i) const {
+        return pairs_[passes_[i].pair].a.wide.triangles.corners_at(passes_[i].slots.a);
+    }
+
+    /// Returns the index of the first hit of a line whose last index is given.
+    [[nodiscard]] std::uint32_t first_of(std::uint32_t last) const {
+        const auto place = [this](std::uint32_t i) {
             const Pass& pass = passes_[i];
-            return LineShot{pass.triangle, pass.line, {pass.depth, pass.flags, 0}};
+            return std::tuple(pass.depth, order_at_one_depth(pass.flags), pass.triangle);
         };
-        if (only_first) {
-            const auto depth = [this](std::uint32_t i) { return passes_[i].depth; };
-            by_line_.push_back(shot_of(*std::ranges::min_element(of_line, {}, depth)));
-            return;
+        std::uint32_t first = last;
+        for (std::uint32_t i = previous_[last]; i != none; i = previous_[i]) {
+            first = place(i) < place(first) ? i : first;
         }
-        std::ranges::transform(of_line, std::back_inserter(by_line_), shot_of);
+        return first;
     }
 
-    void move(std::span<const std::uint32_t> of_line, FoundContacts& found) const {
-        for (const std::uint32_t i : of_line) {
-            const SubtreePair& pair = pairs_[passes_[i].pair];
-            const TriangleBlocks& a = pair.a.wide.triangles;
-            const TriangleBlocks& b = pair.b.wide.triangles;
-            found.add(a, a.ids, b, b.ids, {&passes_[i].slots, 1});
-        }
+    void keep(std::uint32_t i) {
+        const Pass& pass = passes_[i];
+        simple_.push_back({pass.triangle, pass.line, {pass.depth, pass.flags, 0}});
+    }
+
+    void move(const Pass& pass, FoundContacts& found) const {
+        const TriangleBlocks& a = pairs_[pass.pair].a.wide.triangles;
+        const TriangleBlocks& b = pairs_[pass.pair].b.wide.triangles;
+        found.add(a, a.ids, b, b.ids, {&pass.slots, 1});
     }
 
     std::span<const Pass> passes_;
     std::span<const SubtreePair> pairs_;
-    StableOrder order_;
-    std::vector<std::uint32_t> keys_; ///< For `order_`.
-    std::vector<double> depths_;      ///< Of a line.
-    std::vector<LineShot> by_line_;
-    std::vector<LineShot> by_triangle_;
+    std::vector<Line> lines_; ///< By index in the mesh.
+    std::vector<std::uint32_t> touched_;
+    std::vector<std::uint32_t> previous_; ///< Of the line of each hit.
+    std::vector<LineShot> simple_;
+    ShotSorter sorter_;
 };
 
 } // namespace
@@ -197,6 +252,8 @@ struct BundleShots::State {
         const SubtreePair& pair = pairs.back();
         const TriangleBlocks& a = pair.a.wide.triangles;
         const LineRows rows = of.rows();
+        Corners corners;
+        std::uint32_t last_slot = no_slot;
         for (const LinePass& pass : found) {
             const std::uint32_t slot = of.slots()[pass.line];
             const std::uint32_t triangle = a.ids[pass.triangle];
@@ -208,8 +265,11 @@ struct BundleShots::State {
             if (needs_depths && passes.size() < most) {
                 const auto number = static_cast<std::uint32_t>(pairs.size() - 1);
                 passes.push_back({0, triangle, line, {pass.triangle, slot}, number, pass.flags});
-                depths.add(a.corners_at(pass.triangle),
-                           {rows.across[0][pass.line], rows.across[1][pass.line]});
+                if (pass.triangle != last_slot) {
+                    last_slot = pass.triangle;
+                    corners = a.corners_at(pass.triangle);
+                }
+                depths.add(corners, {rows.across[0][pass.line], rows.across[1][pass.line]});
                 if (depths.is_full()) {
                     take_depths();
                 }
@@ -286,8 +346,10 @@ std::uint64_t BundleShots::count() const {
 std::span<const LineShot> BundleShots::settle(FoundContacts& found, bool only_first) {
     State& s = *state_;
     s.simple.restart(s.passes, s.pairs);
-    s.count -= s.simple.settle(found, only_first);
-    return s.simple.by_triangle();
+    std::uint64_t moved = 0;
+    const std::span<const LineShot> settled = s.simple.settle(found, only_first, moved);
+    s.count -= moved;
+    return settled;
 }
 
 QueryStatistics BundleShots::statistics() const {

@@ -23,8 +23,9 @@ struct LineShot {
 };
 
 /// Finds the hits of one scenario whose bundles are of parallel lines, as far as that is simple:
-/// lines that pass through the inside of each triangle they meet, at depths that round apart. All
-/// others are left to `SegmentHit`. Keeps scratch memory between scenarios.
+/// lines that pass through the inside of each triangle they meet, at depths that round apart unless
+/// two triangles have the same corners. All others are left to `SegmentHit`. Keeps scratch memory
+/// between scenarios.
 class BundleShots {
   public:
     /// Multiplies all error bounds by `bound_scale`, for tests: see BundleSearch.
@@ -51,10 +52,10 @@ class BundleShots {
     [[nodiscard]] std::uint64_t count() const;
 
     /// Moves hits to `found` that need SegmentHit: all of a line of which `found` has a contact, of
-    /// which a depth is unknown, or of which two depths round alike. Returns the others, sorted by
-    /// triangle and line; with `only_first`, the first one of each line. Valid until `restart`. To
-    /// be called once, after `collect` with depths, and only if no hit was dropped, which happens
-    /// above `found.pairs_max()`.
+    /// which a depth is unknown, or of which two depths of different triangles round alike. Returns
+    /// the others, sorted by triangle and line; with `only_first`, the first one of each line.
+    /// Valid until `restart`. To be called once, after `collect` with depths, and only if no hit
+    /// was dropped, which happens above `found.pairs_max()`.
     [[nodiscard]] std::span<const LineShot> settle(FoundContacts& found, bool only_first);
 
     /// Returns the statistics since `restart`.

@@ -2,6 +2,8 @@
 
 #include "common/geometry/highway_targets.hpp"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/shots/bundle/bundle_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -113,34 +115,136 @@ HWY_INLINE Vectors load(const float* from) {
     return {hn::PromoteTo(d, x), hn::PromoteTo(d, y), hn::PromoteTo(d, z)};
 }
 
+using Bins = hn::Rebind<std::int32_t, Doubles>;
+using Index = hn::RebindToSigned<Doubles>;
+using M = hn::Mask<Doubles>;
+
+HWY_INLINE V set(double value) {
+    return hn::Set(Doubles(), value);
+}
+
 template <class T>
 HWY_INLINE void
-place_all(const T* from, std::size_t count, const BundleFrame& frame, BlockAcross& placed) {
+place_vertices(const T* from, std::size_t count, const BundleFrame& frame, BlockAcross& placed) {
     const Doubles d;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
         const Vectors v = load(from + 3 * i);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::array<double, 3>& row = frame.rows()[k];
-            const V linear =
-                hn::Add(hn::Add(hn::Mul(hn::Set(d, row[0]), v.x), hn::Mul(hn::Set(d, row[1]), v.y)),
-                        hn::Mul(hn::Set(d, row[2]), v.z));
-            hn::StoreU(hn::Add(linear, hn::Set(d, frame.translation()[k])), d, &placed.at[k][i]);
+            const V linear = hn::Add(hn::Add(hn::Mul(set(row[0]), v.x), hn::Mul(set(row[1]), v.y)),
+                                     hn::Mul(set(row[2]), v.z));
+            hn::StoreU(hn::Add(linear, set(frame.translation()[k])), d, &placed.vertices[k][i]);
         }
+    }
+}
+
+/// The corners of a vector of triangles on one axis.
+struct CornersOn {
+    V at[3];
+
+    HWY_INLINE CornersOn(const double* vertices, const hn::Vec<Index> (&corners)[3])
+        : at{hn::GatherIndex(Doubles(), vertices, corners[0]),
+             hn::GatherIndex(Doubles(), vertices, corners[1]),
+             hn::GatherIndex(Doubles(), vertices, corners[2])} {}
+
+    HWY_INLINE V least() const { return hn::Min(hn::Min(at[0], at[1]), at[2]); }
+    HWY_INLINE V most() const { return hn::Max(hn::Max(at[0], at[1]), at[2]); }
+};
+
+/// Returns the bins of coordinates by the operations of ParallelLines::bin_of.
+HWY_INLINE hn::Vec<Bins> bins_of(const BundleAcross::Axis& axis, V coordinate) {
+    const V place = hn::Mul(hn::Sub(coordinate, set(axis.least)), set(axis.bins_per_length));
+    return hn::DemoteTo(Bins(), hn::Min(hn::Max(place, set(0)), set(axis.last_bin)));
+}
+
+/// Returns where some line has a coordinate from `low` to `high`, whose bins are given.
+HWY_INLINE M holds_coordinate(
+    const BundleAcross::Axis& axis, V low, V high, hn::Vec<Bins> first, hn::Vec<Bins> last) {
+    const Doubles d;
+    const Index wide;
+    const auto from = hn::PromoteTo(wide, first);
+    const auto to = hn::PromoteTo(wide, last);
+    const M is_below = hn::Le(low, hn::GatherIndex(d, axis.most_of_bins, from));
+    const M is_above = hn::Ge(high, hn::GatherIndex(d, axis.least_of_bins, to));
+    const M is_one = hn::RebindMask(d, hn::Eq(from, to));
+    const M is_between = hn::RebindMask(d, hn::Gt(hn::Sub(to, from), hn::Set(wide, 1)));
+    return hn::Or(hn::And(is_one, hn::And(is_below, is_above)),
+                  hn::AndNot(is_one, hn::Or(hn::Or(is_below, is_above), is_between)));
+}
+
+/// Places a vector of triangles from `begin` on, whose vertices are placed.
+HWY_INLINE void place_triangles(const BlockCorners* corners,
+                                std::size_t begin,
+                                const BundleAcross& bundle,
+                                BlockAcross& placed) {
+    const Doubles d;
+    const hn::Rebind<std::uint32_t, Doubles> packed;
+    const auto four = hn::LoadU(packed, reinterpret_cast<const std::uint32_t*>(corners + begin));
+    const auto byte = hn::Set(packed, 0xff);
+    const auto corner = [&](auto shifted) {
+        return hn::PromoteTo(Index(), hn::BitCast(Bins(), hn::And(shifted, byte)));
+    };
+    const hn::Vec<Index> numbers[3] = {
+        corner(four), corner(hn::ShiftRight<8>(four)), corner(hn::ShiftRight<16>(four))};
+    const V error = set(bundle.error);
+    M held = hn::Eq(error, error);
+    V across = hn::Zero(d);
+    for (std::size_t which = 0; which < 2; ++which) {
+        const CornersOn at(placed.vertices[1 + which].data(), numbers);
+        for (std::size_t i = 0; i < 3; ++i) {
+            hn::Store(at.at[i], d, &placed.corners[which][i][begin]);
+        }
+        const V low = hn::Sub(at.least(), error);
+        const V high = hn::Add(at.most(), error);
+        const BundleAcross::Axis& axis = bundle.axes[which];
+        const auto first = bins_of(axis, low);
+        const auto last = bins_of(axis, high);
+        hn::Store(first, Bins(), &placed.first[which][begin]);
+        hn::Store(last, Bins(), &placed.last[which][begin]);
+        held = hn::And(held, holds_coordinate(axis, low, high, first, last));
+        across = hn::Add(across, hn::Add(hn::Sub(high, low), set(axis.bin_size)));
+    }
+    const BundleAcross::TurnError& terms = bundle.turn_error;
+    const V slope = hn::Add(set(terms.linear), hn::Mul(set(terms.square), across));
+    hn::Store(hn::Add(set(terms.constant), hn::Mul(slope, across)), d, &placed.turn_error[begin]);
+    const CornersOn along(placed.vertices[0].data(), numbers);
+    const M between = hn::And(hn::Gt(hn::Sub(along.least(), error), set(bundle.ends[0])),
+                              hn::Lt(hn::Add(along.most(), error), set(bundle.ends[1])));
+    placed.held |= bits_of(d, held) << begin;
+    placed.between |= bits_of(d, between) << begin;
+}
+
+template <class T>
+HWY_INLINE void place(const T* from,
+                      std::size_t count,
+                      const BlockCorners* corners,
+                      const BundleFrame& frame,
+                      const BundleAcross& bundle,
+                      BlockAcross& placed) {
+    place_vertices(from, count, frame, placed);
+    placed.held = 0;
+    placed.between = 0;
+    for (std::size_t begin = 0; begin < block_size; begin += hn::Lanes(Doubles())) {
+        place_triangles(corners, begin, bundle, placed);
     }
 }
 
 void place_floats(const float* from,
                   std::size_t count,
+                  const BlockCorners* corners,
                   const BundleFrame* frame,
+                  const BundleAcross* bundle,
                   BlockAcross* placed) {
-    place_all(from, count, *frame, *placed);
+    place(from, count, corners, *frame, *bundle, *placed);
 }
 
 void place_doubles(const double* from,
                    std::size_t count,
+                   const BlockCorners* corners,
                    const BundleFrame* frame,
+                   const BundleAcross* bundle,
                    BlockAcross* placed) {
-    place_all(from, count, *frame, *placed);
+    place(from, count, corners, *frame, *bundle, *placed);
 }
 
 /// Returns twice the area of the triangle of the origin and two points, positive if it turns left.
@@ -148,74 +252,123 @@ HWY_INLINE V turn(V from_x, V from_y, V to_x, V to_y) {
     return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
 }
 
-/// The corners of a triangle and the bound of its turns, the same in all lanes.
-struct Target {
-    HWY_INLINE explicit Target(const TriangleAcross& triangle)
-        : error(hn::Set(Doubles(), triangle.error)) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            x[i] = hn::Set(Doubles(), triangle.corners[0][i]);
-            y[i] = hn::Set(Doubles(), triangle.corners[1][i]);
-        }
-    }
+/// The turns of triangles around lines, one pair in each lane.
+struct Turns {
+    V least;
+    V most;
 
-    V x[3];
-    V y[3];
-    V error;
+    HWY_INLINE Turns(const V (&corner_x)[3], const V (&corner_y)[3], V line_x, V line_y) {
+        V x[3];
+        V y[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            x[i] = hn::Sub(corner_x[i], line_x);
+            y[i] = hn::Sub(corner_y[i], line_y);
+        }
+        const V turns[3] = {turn(x[0], y[0], x[1], y[1]),
+                            turn(x[1], y[1], x[2], y[2]),
+                            turn(x[2], y[2], x[0], y[0])};
+        least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
+        most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
+    }
 };
 
-/// Marks the lines of one vector, of which the first `valid` count.
-HWY_INLINE void mark_vector(const Target& target,
-                            const LineRows& lines,
-                            std::uint32_t first,
-                            std::uint32_t valid,
-                            MarkedLines& marked) {
+/// Adds the pairs of the first `valid` lanes that are not apart; `pair_of(lane)` returns a lane's
+/// pair.
+template <class PairOf>
+HWY_INLINE void add_marks(
+    const Turns& turns, V error, std::size_t valid, const PairOf& pair_of, MarkedPairs& marked) {
     const Doubles d;
-    const V line_x = hn::LoadU(d, lines.across[0] + first);
-    const V line_y = hn::LoadU(d, lines.across[1] + first);
-    V x[3];
-    V y[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        x[i] = hn::Sub(target.x[i], line_x);
-        y[i] = hn::Sub(target.y[i], line_y);
-    }
-    const V turns[3] = {
-        turn(x[0], y[0], x[1], y[1]), turn(x[1], y[1], x[2], y[2]), turn(x[2], y[2], x[0], y[0])};
-    const V least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
-    const V most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
-    const V minus_error = hn::Neg(target.error);
-    const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
+    const V minus_error = hn::Neg(error);
+    const M misses = hn::And(hn::Lt(turns.least, minus_error), hn::Gt(turns.most, error));
     std::uint32_t left = ~bits_of(d, misses) & ((1u << valid) - 1);
     if (left == 0) {
         return;
     }
-    const std::uint32_t along = bits_of(d, hn::Gt(least, target.error));
-    const std::uint32_t against = bits_of(d, hn::Lt(most, minus_error));
+    const std::uint32_t along = bits_of(d, hn::Gt(turns.least, error));
+    const std::uint32_t against = bits_of(d, hn::Lt(turns.most, minus_error));
     for (; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-        marked.lines[marked.count] = first + lane;
+        marked.pairs[marked.count] = pair_of(lane);
         marked.passes[marked.count] =
             static_cast<LinePasses>((along >> lane & 1) | (against >> lane & 1) << 1);
         ++marked.count;
     }
 }
 
-bool mark_lines_on(TriangleAcross* triangle, const LineRows* lines, MarkedLines* marked) {
-    constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
-    const Target target(*triangle);
+void mark_pairs_on(const BlockAcross* placed,
+                   const LineRows* lines,
+                   const PairAcross* pairs,
+                   std::size_t count,
+                   MarkedPairs* marked) {
+    const Doubles d;
+    constexpr std::size_t lanes = hn::MaxLanes(Doubles());
+    const hn::Rebind<std::uint32_t, Doubles> numbers;
     marked->count = 0;
-    marked->tested = 0;
-    BinRange& bins = triangle->bins;
-    for (; bins.first[1] <= bins.last[1]; ++bins.first[1], triangle->skipped = 0) {
-        const std::uint32_t begin = lines->begin_of(bins.first[0], bins.first[1]);
-        const std::uint32_t end = lines->begin_of(bins.last[0] + 1, bins.first[1]);
-        for (std::uint32_t i = begin + triangle->skipped; i < end; i += lanes) {
-            if (marked->count + lanes > MarkedLines::most) {
-                triangle->skipped = i - begin;
+    for (std::size_t begin = 0; begin < count; begin += lanes) {
+        hn::Vec<decltype(numbers)> triangle;
+        hn::Vec<decltype(numbers)> line;
+        hn::LoadInterleaved2(
+            numbers, reinterpret_cast<const std::uint32_t*>(pairs + begin), triangle, line);
+        const auto of_triangle = hn::PromoteTo(Index(), hn::BitCast(Bins(), triangle));
+        const auto of_line = hn::PromoteTo(Index(), hn::BitCast(Bins(), line));
+        V x[3];
+        V y[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            x[i] = hn::GatherIndex(d, placed->corners[0][i].data(), of_triangle);
+            y[i] = hn::GatherIndex(d, placed->corners[1][i].data(), of_triangle);
+        }
+        const Turns turns(x,
+                          y,
+                          hn::GatherIndex(d, lines->across[0], of_line),
+                          hn::GatherIndex(d, lines->across[1], of_line));
+        add_marks(
+            turns,
+            hn::GatherIndex(d, placed->turn_error.data(), of_triangle),
+            count - begin < lanes ? count - begin : lanes,
+            [&](std::uint32_t lane) { return pairs[begin + lane]; },
+            *marked);
+    }
+}
+
+bool mark_lines_on(const BlockAcross* placed,
+                   const LineRows* lines,
+                   LineWalk* walk,
+                   MarkedPairs* marked,
+                   std::uint64_t* tested) {
+    const Doubles d;
+    constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
+    const std::uint32_t triangle = walk->triangle;
+    V x[3];
+    V y[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = set(placed->corners[0][i][triangle]);
+        y[i] = set(placed->corners[1][i][triangle]);
+    }
+    const V error = set(placed->turn_error[triangle]);
+    const auto first_column = static_cast<std::uint32_t>(placed->first[0][triangle]);
+    const auto last_column = static_cast<std::uint32_t>(placed->last[0][triangle]);
+    const auto last_row = static_cast<std::uint32_t>(placed->last[1][triangle]);
+    marked->count = 0;
+    for (; walk->row <= last_row; ++walk->row, walk->done = 0) {
+        const std::uint32_t begin = lines->begin_of(first_column, walk->row);
+        const std::uint32_t end = lines->begin_of(last_column + 1, walk->row);
+        for (std::uint32_t i = begin + walk->done; i < end; i += lanes) {
+            if (marked->count + lanes > MarkedPairs::most) {
+                walk->done = i - begin;
                 return false;
             }
+            const Turns turns(
+                x, y, hn::LoadU(d, lines->across[0] + i), hn::LoadU(d, lines->across[1] + i));
             const std::uint32_t valid = end - i < lanes ? end - i : lanes;
-            mark_vector(target, *lines, i, valid, *marked);
-            marked->tested += valid;
+            add_marks(
+                turns,
+                error,
+                valid,
+                [&](std::uint32_t lane) {
+                    return PairAcross{triangle, i + lane};
+                },
+                *marked);
+            *tested += valid;
         }
     }
     return true;
@@ -232,6 +385,7 @@ namespace cd {
 HWY_EXPORT(children_with_lines_on);
 HWY_EXPORT(place_floats);
 HWY_EXPORT(place_doubles);
+HWY_EXPORT(mark_pairs_on);
 HWY_EXPORT(mark_lines_on);
 
 /// With v = 2^-24 and n for the count of bins: places that count are within n of 0, so that their
@@ -263,21 +417,67 @@ std::uint32_t children_with_lines(const WideNode& node,
     return HWY_DYNAMIC_DISPATCH(children_with_lines_on)(&node, &across, &lines, &boxes);
 }
 
+/// With u = 2^-53, e for the error and L, M for the bounds of differences on the two axes, L + M =
+/// S: a computed difference of a corner and a line is at most L and errs by e + u L. The product of
+/// two errs by L (e + u M) + M (e + u L) + (e + u S)^2, and rounding by u L M; two products by
+/// twice that, and their difference by another 2 u L M. With L M <= S^2 / 4 that is at most
+///     2 S e + u S^2 + 2 (e + u S)^2 + u S^2.
+/// The terms have room for those in u S of the square, and for the bound's own roundings.
+BundleAcross::TurnError turn_error_of(double error, double scale) {
+    constexpr double u = 0x1p-53;
+    return {scale * (1.01 * 2 * error * error + 0x1p-1000),
+            scale * 1.01 * 2 * error,
+            scale * 1.01 * 3 * u};
+}
+
+BundleAcross bundle_across(const ParallelLines& lines, double error, double bound_scale) {
+    BundleAcross across;
+    for (std::size_t which = 0; which < 2; ++which) {
+        const LineSteps& steps = lines.steps(which);
+        across.axes[which] = {lines.least()[which],
+                              steps.bins_per_length,
+                              static_cast<double>(steps.count() - 1),
+                              lines.bin_size(which),
+                              steps.least.data(),
+                              steps.most.data()};
+    }
+    const auto [least, most] = std::minmax(lines.ends()[0], lines.ends()[1]);
+    across.ends = {least, most};
+    across.error = error;
+    across.turn_error = turn_error_of(error, bound_scale);
+    return across;
+}
+
 void place_block(const TriangleBlocks& blocks,
                  std::uint32_t block,
                  const BundleFrame& frame,
+                 const BundleAcross& bundle,
                  BlockAcross& placed) {
     const std::size_t first = 3 * std::size_t{blocks.vertex_begin[block]};
     const std::size_t count = blocks.vertex_begin[block + 1] - blocks.vertex_begin[block];
+    const BlockCorners* const corners = &blocks.corners[std::size_t{block_size} * block];
     if (blocks.doubles.empty()) {
-        HWY_DYNAMIC_DISPATCH(place_floats)(&blocks.floats[first], count, &frame, &placed);
+        HWY_DYNAMIC_DISPATCH(place_floats)
+        (&blocks.floats[first], count, corners, &frame, &bundle, &placed);
     } else {
-        HWY_DYNAMIC_DISPATCH(place_doubles)(&blocks.doubles[first], count, &frame, &placed);
+        HWY_DYNAMIC_DISPATCH(place_doubles)
+        (&blocks.doubles[first], count, corners, &frame, &bundle, &placed);
     }
 }
 
-bool mark_lines(TriangleAcross& triangle, const LineRows& lines, MarkedLines& marked) {
-    return HWY_DYNAMIC_DISPATCH(mark_lines_on)(&triangle, &lines, &marked);
+void mark_pairs(const BlockAcross& placed,
+                const LineRows& lines,
+                std::span<const PairAcross> pairs,
+                MarkedPairs& marked) {
+    HWY_DYNAMIC_DISPATCH(mark_pairs_on)(&placed, &lines, pairs.data(), pairs.size(), &marked);
+}
+
+bool mark_lines(const BlockAcross& placed,
+                const LineRows& lines,
+                LineWalk& walk,
+                MarkedPairs& marked,
+                std::uint64_t& tested) {
+    return HWY_DYNAMIC_DISPATCH(mark_lines_on)(&placed, &lines, &walk, &marked, &tested);
 }
 
 } // namespace cd

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace cd {
 
@@ -43,46 +44,98 @@ struct ChildrenAcross {
                                                 const LinesAcross& lines,
                                                 ChildrenAcross& boxes);
 
-/// A block's vertices in the bundle's coordinates: along the lines, then across them. Numbers after
-/// the last vertex are meaningless.
-struct BlockAcross {
-    static constexpr std::size_t most = block_vertices_max + 8;
-
-    alignas(64) std::array<std::array<double, most>, 3> at;
+/// What the triangles of blocks are compared with.
+struct BundleAcross {
+    struct Axis {
+        double least = 0;
+        double bins_per_length = 0;
+        double last_bin = 0;
+        double bin_size = 0;
+        const double* least_of_bins = nullptr; ///< LineSteps::least.
+        const double* most_of_bins = nullptr;
+    };
+    /// The terms of the bound of a turn, for corners that are within S of a line, the sum of the
+    /// bounds for both axes: `constant` + `linear` * S + `square` * S * S.
+    struct TurnError {
+        double constant = 0;
+        double linear = 0;
+        double square = 0;
+    };
+    std::array<Axis, 2> axes{};
+    std::array<double, 2> ends{}; ///< Of the lines along their axis, the lesser first.
+    double error = 0;             ///< Bounds the error of a vertex's coordinate.
+    TurnError turn_error;
 };
 
+/// Returns the terms for corners that err by `error` in each coordinate, times `scale`.
+[[nodiscard]] BundleAcross::TurnError turn_error_of(double error, double scale);
+
+[[nodiscard]] BundleAcross
+bundle_across(const ParallelLines& lines, double error, double bound_scale);
+
+/// The triangles of a block in the bundle's coordinates, by place in the block.
+struct BlockAcross {
+    static constexpr std::size_t vertices_most = block_vertices_max + 8;
+    using Doubles = std::array<double, block_size>;
+    using Bins = std::array<std::int32_t, block_size>;
+
+    alignas(64) std::array<std::array<double, vertices_most>, 3> vertices;
+    alignas(64) std::array<std::array<Doubles, 3>, 2> corners; ///< Across, by axis and corner.
+    alignas(64) Doubles turn_error;                            ///< Bounds the error of each turn.
+    alignas(64) std::array<Bins, 2> first;                     ///< Bins of its lines, by axis.
+    alignas(64) std::array<Bins, 2> last;
+    std::uint32_t held = 0;    ///< Bit mask: on each axis, some line has a coordinate in its box.
+    std::uint32_t between = 0; ///< Bit mask: strictly between the lines' ends.
+};
+
+/// Places a block's triangles. Those of unused slots are meaningless.
 void place_block(const TriangleBlocks& blocks,
                  std::uint32_t block,
                  const BundleFrame& frame,
+                 const BundleAcross& bundle,
                  BlockAcross& placed);
 
-/// What doubles prove of a line and a triangle.
+/// What doubles prove of a line and a triangle that it does not miss.
 enum class LinePasses : std::uint8_t {
     Unknown = 0,
     Along = 1,   ///< Passes through the inside, and the corners turn left seen along the axis.
     Against = 2, ///< Passes through the inside, and the corners turn right.
 };
 
-/// A triangle, and the bins of the lines that may meet it.
-struct TriangleAcross {
-    std::array<std::array<double, 3>, 2> corners{}; ///< Across the lines, by axis.
-    double error = 0;                               ///< Bounds the error of each turn.
-    BinRange bins;                                  ///< Its first row moves on with the marks.
-    std::uint32_t skipped = 0;                      ///< Lines of the first row that are done.
+/// A triangle of a block and a line, by its number.
+struct PairAcross {
+    std::uint32_t triangle;
+    std::uint32_t line;
 };
 
-/// Lines that doubles do not prove to miss a triangle.
-struct MarkedLines {
-    static constexpr std::size_t most = 64;
+/// Pairs that doubles do not prove to be apart.
+struct MarkedPairs {
+    static constexpr std::size_t most = 256;
 
     std::size_t count = 0;
-    std::size_t tested = 0; ///< All lines of the call.
-    std::array<std::uint32_t, most> lines;
+    std::array<PairAcross, most> pairs;
     std::array<LinePasses, most> passes;
 };
 
-/// Marks lines of the triangle's bins until all are marked or there is no more room. Returns
-/// whether all are marked; if not, another call goes on.
-[[nodiscard]] bool mark_lines(TriangleAcross& triangle, const LineRows& lines, MarkedLines& marked);
+/// Marks pairs of a block, at most `MarkedPairs::most`.
+void mark_pairs(const BlockAcross& placed,
+                const LineRows& lines,
+                std::span<const PairAcross> pairs,
+                MarkedPairs& marked);
+
+/// A walk over all lines in the bins of a triangle.
+struct LineWalk {
+    std::uint32_t triangle = 0;
+    std::uint32_t row = 0;  ///< The present row of bins.
+    std::uint32_t done = 0; ///< Lines of the row that are done.
+};
+
+/// Marks lines of one triangle until all are marked or there is no more room. Returns whether all
+/// are marked; if not, another call goes on. Adds the number of lines to `tested`.
+[[nodiscard]] bool mark_lines(const BlockAcross& placed,
+                              const LineRows& lines,
+                              LineWalk& walk,
+                              MarkedPairs& marked,
+                              std::uint64_t& tested);
 
 } // namespace cd

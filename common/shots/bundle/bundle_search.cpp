@@ -42,17 +42,6 @@ void prefetch_block(const TriangleBlocks& blocks, std::uint32_t block) {
 
 } // namespace
 
-/// With u = 2^-53, e for the error and L, M for the bounds of differences on the two axes, L + M =
-/// S: a computed difference of a corner and a line is at most L and errs by e + u L. The product of
-/// two errs by L (e + u M) + M (e + u L) + (e + u S)^2, and rounding by u L M; two products by
-/// twice that, and their difference by another 2 u L M. With L M <= S^2 / 4 that is at most
-///     2 S e + u S^2 + 2 (e + u S)^2 + u S^2.
-/// The bound below has room for the last term's u S, and for its own roundings.
-double turn_error(double across, double error) {
-    constexpr double u = 0x1p-53;
-    return 1.01 * (2 * across * error + 3 * u * across * across + 2 * error * error) + 0x1p-1000;
-}
-
 bool BundleSearch::start(const WideView& a, const ParallelLines& lines, const PosePair& poses) {
     CD_CHECK(!a.nodes.empty());
     stack_.clear();
@@ -66,7 +55,7 @@ bool BundleSearch::start(const WideView& a, const ParallelLines& lines, const Po
     }
     a_ = a;
     lines_ = &lines;
-    across_ = lines_across(lines);
+    across_ = {lines_across(lines), bundle_across(lines, frame_->error(), bound_scale_)};
     stack_.push_back(0);
     return true;
 }
@@ -93,7 +82,7 @@ std::uint32_t BundleSearch::children_of(const WideNode& node) const {
     const std::array<double, 2> middle = lines_->middle();
     ChildrenAcross boxes;
     std::uint32_t children =
-        children_with_lines(node, node_across(node, *frame_, middle), across_, boxes) &
+        children_with_lines(node, node_across(node, *frame_, middle), across_.of_boxes, boxes) &
         ((1u << node.count) - 1);
     if (lines_->is_grid()) {
         return children;
@@ -113,7 +102,7 @@ std::uint32_t BundleSearch::children_of(const WideNode& node) const {
 /// Puts the children that may meet lines on the stack, or lets the leaf wait.
 void BundleSearch::visit(const WideNode& node) {
     std::uint32_t found = children_of(node);
-    box_tests_ += node.count;
+    tests_.boxes += node.count;
     if (found == 0) {
         return;
     }
@@ -131,58 +120,69 @@ void BundleSearch::visit(const WideNode& node) {
 }
 
 void BundleSearch::test_leaf(const Leaf& leaf) {
-    place_block(a_.triangles, leaf.node->first, *frame_, placed_);
-    for (std::uint32_t left = leaf.triangles; left != 0; left &= left - 1) {
-        const std::uint32_t slot =
-            block_size * leaf.node->first + static_cast<std::uint32_t>(std::countr_zero(left));
-        test_triangle(slot, a_.triangles.corners[slot]);
+    const std::uint32_t first_slot = block_size * leaf.node->first;
+    place_block(a_.triangles, leaf.node->first, *frame_, across_.of_triangles, placed_);
+    listed_.clear();
+    for (std::uint32_t left = leaf.triangles & placed_.held; left != 0; left &= left - 1) {
+        list_pairs(static_cast<std::uint32_t>(std::countr_zero(left)), first_slot);
     }
+    test_listed(first_slot);
 }
 
-void BundleSearch::test_triangle(std::uint32_t slot, const BlockCorners& corners) {
-    const double error = frame_->error();
-    const auto& at = placed_.at;
-    TriangleAcross triangle;
-    double across = 0;
-    for (std::size_t which = 0; which < 2; ++which) {
-        const std::array<double, 3> place{
-            at[1 + which][corners[0]], at[1 + which][corners[1]], at[1 + which][corners[2]]};
-        const double low = std::min(std::min(place[0], place[1]), place[2]) - error;
-        const double high = std::max(std::max(place[0], place[1]), place[2]) + error;
-        const std::uint32_t first = lines_->bin_of(low, which);
-        const std::uint32_t last = lines_->bin_of(high, which);
-        if (!lines_->may_hold(which, first, last, low, high)) {
-            return;
-        }
-        triangle.corners[which] = place;
-        triangle.bins.first[which] = first;
-        triangle.bins.last[which] = last;
-        across += high - low + lines_->bin_size(which);
-    }
-    triangle.error = bound_scale_ * turn_error(across, error);
-    const auto [least, most] = std::minmax(lines_->ends()[0], lines_->ends()[1]);
-    bool is_between = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double along = at[0][corners[i]];
-        is_between = is_between && along - error > least && along + error < most;
-    }
+/// Lists a triangle with the lines of its bins, or tests it at once if these are many.
+void BundleSearch::list_pairs(std::uint32_t triangle, std::uint32_t first_slot) {
+    constexpr std::uint32_t bins_most = 8;
+    constexpr std::size_t lines_most = 32;
     const LineRows rows = lines_->rows();
-    MarkedLines marked;
-    for (bool is_done = false; !is_done;) {
-        is_done = mark_lines(triangle, rows, marked);
-        line_tests_ += marked.tested;
-        add(slot, is_between, marked);
+    const auto column = static_cast<std::uint32_t>(placed_.first[0][triangle]);
+    const auto column_end = static_cast<std::uint32_t>(placed_.last[0][triangle]) + 1;
+    const auto first_row = static_cast<std::uint32_t>(placed_.first[1][triangle]);
+    const auto row_end = static_cast<std::uint32_t>(placed_.last[1][triangle]) + 1;
+    std::size_t lines = bins_most < (column_end - column) * (row_end - first_row) ? lines_most : 0;
+    for (std::uint32_t row = first_row; row < row_end && lines < lines_most; ++row) {
+        lines += rows.begin_of(column_end, row) - rows.begin_of(column, row);
+    }
+    if (lines >= lines_most) {
+        LineWalk walk{triangle, first_row, 0};
+        MarkedPairs marked;
+        for (bool is_done = false; !is_done;) {
+            is_done = mark_lines(placed_, rows, walk, marked, tests_.lines);
+            add(first_slot, marked);
+        }
+        return;
+    }
+    if (listed_.size() + lines > MarkedPairs::most) {
+        test_listed(first_slot);
+    }
+    for (std::uint32_t row = first_row; row < row_end; ++row) {
+        const std::uint32_t end = rows.begin_of(column_end, row);
+        for (std::uint32_t line = rows.begin_of(column, row); line < end; ++line) {
+            listed_.push_back({triangle, line});
+        }
     }
 }
 
-/// Adds marked lines of a triangle that is between the lines' ends or not.
-void BundleSearch::add(std::uint32_t slot, bool is_between, const MarkedLines& marked) {
+void BundleSearch::test_listed(std::uint32_t first_slot) {
+    // A vector may read past the last pair.
+    const std::size_t count = listed_.size();
+    listed_.resize(count + ParallelLines::spare_lines, {0, 0});
+    MarkedPairs marked;
+    mark_pairs(placed_, lines_->rows(), std::span(listed_).first(count), marked);
+    tests_.lines += count;
+    add(first_slot, marked);
+    listed_.clear();
+}
+
+/// Adds marked pairs of the block with the given first slot.
+void BundleSearch::add(std::uint32_t first_slot, const MarkedPairs& marked) {
     const bool rises = lines_->ends()[1] > lines_->ends()[0];
     for (std::size_t i = 0; i < marked.count; ++i) {
-        const std::uint32_t line = marked.lines[i];
+        const auto [triangle, line] = marked.pairs[i];
+        const std::uint32_t slot = first_slot + triangle;
+        const bool is_between = (placed_.between >> triangle & 1) != 0;
         if (marked.passes[i] == LinePasses::Unknown || !is_between) {
             open_.push_back({slot, lines_->slots()[line]});
-            --line_tests_;
+            --tests_.lines;
             continue;
         }
         const bool is_back = (marked.passes[i] == LinePasses::Along) == rises;

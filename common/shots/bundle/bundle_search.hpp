@@ -26,7 +26,8 @@ struct LinePass {
 
 /// The search projects A along the lines. A line that is at a positive distance from the shadows of
 /// a triangle's edges, by the signs of three turns, passes through it or misses it; doubles prove
-/// nearly all signs, with the bound of `turn_error`. Pairs that stay open are left to the caller.
+/// nearly all signs, with the bound of `turn_error_of`. Pairs that stay open are left to the
+/// caller.
 class BundleSearch {
   public:
     /// Multiplies the error bound of turns by `bound_scale`. Answers are right only from 1 on;
@@ -48,10 +49,10 @@ class BundleSearch {
     [[nodiscard]] Found next();
 
     /// Returns the number of boxes tested since construction.
-    [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
+    [[nodiscard]] std::uint64_t box_tests() const { return tests_.boxes; }
     /// Returns the number of pairs of triangles and lines decided since construction; open ones do
     /// not count.
-    [[nodiscard]] std::uint64_t line_tests() const { return line_tests_; }
+    [[nodiscard]] std::uint64_t line_tests() const { return tests_.lines; }
 
   private:
     /// A leaf some of whose triangles may meet lines.
@@ -59,32 +60,37 @@ class BundleSearch {
         const WideNode* node = nullptr;
         std::uint32_t triangles = 0; ///< Bit mask.
     };
+    /// The lines as boxes and triangles are compared with them.
+    struct Across {
+        LinesAcross of_boxes;
+        BundleAcross of_triangles;
+    };
+    struct Tests {
+        std::uint64_t boxes = 0;
+        std::uint64_t lines = 0;
+    };
     /// Leaves wait for their triangles to arrive from memory.
     static constexpr std::size_t waiting_most = 4;
 
     [[nodiscard]] std::uint32_t children_of(const WideNode& node) const;
     void visit(const WideNode& node);
     void test_leaf(const Leaf& leaf);
-    void test_triangle(std::uint32_t slot, const BlockCorners& corners);
-    void add(std::uint32_t slot, bool is_between, const MarkedLines& marked);
+    void list_pairs(std::uint32_t triangle, std::uint32_t first_slot);
+    void test_listed(std::uint32_t first_slot);
+    void add(std::uint32_t first_slot, const MarkedPairs& marked);
 
     double bound_scale_;
     WideView a_;
     const ParallelLines* lines_ = nullptr;
-    LinesAcross across_; ///< Of the lines.
+    Across across_;
     std::optional<BundleFrame> frame_;
     std::vector<std::uint32_t> stack_;
-    std::vector<Leaf> waiting_; ///< At most `waiting_most`, the oldest first.
-    BlockAcross placed_;        ///< The vertices of the leaf that is tested.
+    std::vector<Leaf> waiting_;      ///< At most `waiting_most`, the oldest first.
+    BlockAcross placed_;             ///< The triangles of the leaf that is tested.
+    std::vector<PairAcross> listed_; ///< Pairs of that leaf that are not yet tested.
     std::vector<LinePass> passes_;
     std::vector<Candidate> open_;
-    std::uint64_t box_tests_ = 0;
-    std::uint64_t line_tests_ = 0;
+    Tests tests_;
 };
-
-/// Bounds the error of a turn from a corner over the next one around a line, in doubles, where all
-/// corners are within `across` of the line, the sum of the bounds for both axes, and err by `error`
-/// in each coordinate.
-[[nodiscard]] double turn_error(double across, double error);
 
 } // namespace cd

@@ -14,14 +14,6 @@
 
 namespace cd {
 
-/// A range of bins, from `first` to `last`.
-struct BinRange {
-    std::array<std::uint32_t, 2> first{}; ///< Column and row.
-    std::array<std::uint32_t, 2> last{};
-
-    friend bool operator==(const BinRange&, const BinRange&) = default;
-};
-
 /// The coordinates of lines on one axis across, by column or row of bins.
 struct LineSteps {
     double bins_per_length = 0; ///< 0 where all lines have one coordinate.

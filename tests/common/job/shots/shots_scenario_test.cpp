@@ -306,6 +306,22 @@ TEST(ShotsScenario, BundlesOfParallelLinesAreDecidedAsOthersAre) {
     EXPECT_GT(hits, 2000u);
 }
 
+TEST(ShotsScenario, FacesOfTwoSidesAreOnePlaceWithoutExactNumbers) {
+    const Mesh sphere = make_sphere(2);
+    const ObbTree a = make_tree(join({sphere, reversed(sphere)}));
+    for (SeededRandom random : seeds(6)) {
+        const ObbTree b = make_tree(mesh_of(grid_lines(random, 0, {20, 20}, 0.1, 0.5, {5, -5})));
+        Query query = shots_query();
+        query.first_hits = random() % 2 == 0;
+        const Scenario scenario = make_scenario({Pose(), make_pose(random, 0.1)});
+        const ScenarioRun run = run_scenario(a, b, scenario, query);
+        EXPECT_GT(run.result.pair_count, query.first_hits ? 200u : 1000u);
+        EXPECT_EQ(run.statistics.decisions.total(), run.statistics.decisions[PairStage::Double]);
+        const ScenarioRunner one_by_one(a, b, query, PairStage::DoubleDouble);
+        EXPECT_EQ(encode_result(run.result), encode_result(one_by_one.run(scenario).result));
+    }
+}
+
 TEST(ShotsScenario, MostHitsOfABundleAreProvenInDoubles) {
     const ObbTree a = make_tree(make_sphere(3));
     std::mt19937_64 random(1);

@@ -56,17 +56,18 @@ TEST(ParallelLines, BinsHoldAllLinesOfABox) {
         const double size = uniform(random, 0, 0.6);
         std::set<std::uint32_t> found;
         bool may_hold = true;
-        BinRange bins;
+        std::array<std::uint32_t, 2> first{};
+        std::array<std::uint32_t, 2> last{};
         for (std::size_t which = 0; which < 2; ++which) {
             const double low = at[static_cast<Eigen::Index>(which)];
-            bins.first[which] = lines.bin_of(low, which);
-            bins.last[which] = lines.bin_of(low + size, which);
-            may_hold = may_hold &&
-                       lines.may_hold(which, bins.first[which], bins.last[which], low, low + size);
+            first[which] = lines.bin_of(low, which);
+            last[which] = lines.bin_of(low + size, which);
+            may_hold =
+                may_hold && lines.may_hold(which, first[which], last[which], low, low + size);
         }
-        for (std::uint32_t row = bins.first[1]; row <= bins.last[1]; ++row) {
-            for (std::uint32_t i = rows.begin_of(bins.first[0], row);
-                 i < rows.begin_of(bins.last[0] + 1, row);
+        for (std::uint32_t row = first[1]; row <= last[1]; ++row) {
+            for (std::uint32_t i = rows.begin_of(first[0], row);
+                 i < rows.begin_of(last[0] + 1, row);
                  ++i) {
                 found.insert(i);
             }
