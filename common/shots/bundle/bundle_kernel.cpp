@@ -116,8 +116,6 @@ HWY_INLINE Vectors load(const float* from) {
 }
 
 using Bins = hn::Rebind<std::int32_t, Doubles>;
-using Index = hn::RebindToSigned<Doubles>;
-using M = hn::Mask<Doubles>;
 
 HWY_INLINE V set(double value) {
     return hn::Set(Doubles(), value);
@@ -138,79 +136,49 @@ place_vertices(const T* from, std::size_t count, const BundleFrame& frame, Block
     }
 }
 
-/// The corners of a vector of triangles on one axis.
-struct CornersOn {
-    V at[3];
-
-    HWY_INLINE CornersOn(const double* vertices, const hn::Vec<Index> (&corners)[3])
-        : at{hn::GatherIndex(Doubles(), vertices, corners[0]),
-             hn::GatherIndex(Doubles(), vertices, corners[1]),
-             hn::GatherIndex(Doubles(), vertices, corners[2])} {}
-
-    HWY_INLINE V least() const { return hn::Min(hn::Min(at[0], at[1]), at[2]); }
-    HWY_INLINE V most() const { return hn::Max(hn::Max(at[0], at[1]), at[2]); }
-};
-
 /// Returns the bins of coordinates by the operations of ParallelLines::bin_of.
 HWY_INLINE hn::Vec<Bins> bins_of(const BundleAcross::Axis& axis, V coordinate) {
     const V place = hn::Mul(hn::Sub(coordinate, set(axis.least)), set(axis.bins_per_length));
     return hn::DemoteTo(Bins(), hn::Min(hn::Max(place, set(0)), set(axis.last_bin)));
 }
 
-/// Returns where some line has a coordinate from `low` to `high`, whose bins are given.
-HWY_INLINE M holds_coordinate(
-    const BundleAcross::Axis& axis, V low, V high, hn::Vec<Bins> first, hn::Vec<Bins> last) {
-    const Doubles d;
-    const Index wide;
-    const auto from = hn::PromoteTo(wide, first);
-    const auto to = hn::PromoteTo(wide, last);
-    const M is_below = hn::Le(low, hn::GatherIndex(d, axis.most_of_bins, from));
-    const M is_above = hn::Ge(high, hn::GatherIndex(d, axis.least_of_bins, to));
-    const M is_one = hn::RebindMask(d, hn::Eq(from, to));
-    const M is_between = hn::RebindMask(d, hn::Gt(hn::Sub(to, from), hn::Set(wide, 1)));
-    return hn::Or(hn::And(is_one, hn::And(is_below, is_above)),
-                  hn::AndNot(is_one, hn::Or(hn::Or(is_below, is_above), is_between)));
-}
+/// The box of a vector of triangles on one axis.
+struct Interval {
+    V low;
+    V high;
 
-/// Places a vector of triangles from `begin` on, whose vertices are placed.
-HWY_INLINE void place_triangles(const BlockCorners* corners,
-                                std::size_t begin,
-                                const BundleAcross& bundle,
-                                BlockAcross& placed) {
+    HWY_INLINE
+    Interval(const std::array<BlockAcross::Doubles, 3>& corners, std::size_t begin, V error) {
+        const Doubles d;
+        const V a = hn::Load(d, &corners[0][begin]);
+        const V b = hn::Load(d, &corners[1][begin]);
+        const V c = hn::Load(d, &corners[2][begin]);
+        low = hn::Sub(hn::Min(hn::Min(a, b), c), error);
+        high = hn::Add(hn::Max(hn::Max(a, b), c), error);
+    }
+};
+
+/// Computes what a vector of triangles from `begin` on needs, from their corners.
+HWY_INLINE void
+place_triangles(std::size_t begin, const BundleAcross& bundle, BlockAcross& placed) {
     const Doubles d;
-    const hn::Rebind<std::uint32_t, Doubles> packed;
-    const auto four = hn::LoadU(packed, reinterpret_cast<const std::uint32_t*>(corners + begin));
-    const auto byte = hn::Set(packed, 0xff);
-    const auto corner = [&](auto shifted) {
-        return hn::PromoteTo(Index(), hn::BitCast(Bins(), hn::And(shifted, byte)));
-    };
-    const hn::Vec<Index> numbers[3] = {
-        corner(four), corner(hn::ShiftRight<8>(four)), corner(hn::ShiftRight<16>(four))};
     const V error = set(bundle.error);
-    M held = hn::Eq(error, error);
     V across = hn::Zero(d);
     for (std::size_t which = 0; which < 2; ++which) {
-        const CornersOn at(placed.vertices[1 + which].data(), numbers);
-        for (std::size_t i = 0; i < 3; ++i) {
-            hn::Store(at.at[i], d, &placed.corners[which][i][begin]);
-        }
-        const V low = hn::Sub(at.least(), error);
-        const V high = hn::Add(at.most(), error);
+        const Interval box(placed.corners[1 + which], begin, error);
         const BundleAcross::Axis& axis = bundle.axes[which];
-        const auto first = bins_of(axis, low);
-        const auto last = bins_of(axis, high);
-        hn::Store(first, Bins(), &placed.first[which][begin]);
-        hn::Store(last, Bins(), &placed.last[which][begin]);
-        held = hn::And(held, holds_coordinate(axis, low, high, first, last));
-        across = hn::Add(across, hn::Add(hn::Sub(high, low), set(axis.bin_size)));
+        hn::Store(box.low, d, &placed.low[which][begin]);
+        hn::Store(box.high, d, &placed.high[which][begin]);
+        hn::Store(bins_of(axis, box.low), Bins(), &placed.first[which][begin]);
+        hn::Store(bins_of(axis, box.high), Bins(), &placed.last[which][begin]);
+        across = hn::Add(across, hn::Add(hn::Sub(box.high, box.low), set(axis.bin_size)));
     }
     const BundleAcross::TurnError& terms = bundle.turn_error;
     const V slope = hn::Add(set(terms.linear), hn::Mul(set(terms.square), across));
     hn::Store(hn::Add(set(terms.constant), hn::Mul(slope, across)), d, &placed.turn_error[begin]);
-    const CornersOn along(placed.vertices[0].data(), numbers);
-    const M between = hn::And(hn::Gt(hn::Sub(along.least(), error), set(bundle.ends[0])),
-                              hn::Lt(hn::Add(along.most(), error), set(bundle.ends[1])));
-    placed.held |= bits_of(d, held) << begin;
+    const Interval along(placed.corners[0], begin, error);
+    const auto between =
+        hn::And(hn::Gt(along.low, set(bundle.ends[0])), hn::Lt(along.high, set(bundle.ends[1])));
     placed.between |= bits_of(d, between) << begin;
 }
 
@@ -218,33 +186,49 @@ template <class T>
 HWY_INLINE void place(const T* from,
                       std::size_t count,
                       const BlockCorners* corners,
+                      std::uint32_t triangles,
                       const BundleFrame& frame,
                       const BundleAcross& bundle,
                       BlockAcross& placed) {
     place_vertices(from, count, frame, placed);
-    placed.held = 0;
+    // Gathers are slow on some processors.
+    std::uint32_t placed_count = 0;
+    for (; triangles != 0; triangles &= triangles - 1) {
+        const std::size_t place = hwy::Num0BitsBelowLS1Bit_Nonzero32(triangles);
+        placed.places[placed_count] = static_cast<std::uint8_t>(place);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t vertex = corners[place][i];
+            placed.corners[0][i][placed_count] = placed.vertices[0][vertex];
+            placed.corners[1][i][placed_count] = placed.vertices[1][vertex];
+            placed.corners[2][i][placed_count] = placed.vertices[2][vertex];
+        }
+        ++placed_count;
+    }
+    placed.count = placed_count;
     placed.between = 0;
-    for (std::size_t begin = 0; begin < block_size; begin += hn::Lanes(Doubles())) {
-        place_triangles(corners, begin, bundle, placed);
+    for (std::size_t begin = 0; begin < placed_count; begin += hn::Lanes(Doubles())) {
+        place_triangles(begin, bundle, placed);
     }
 }
 
 void place_floats(const float* from,
                   std::size_t count,
                   const BlockCorners* corners,
+                  std::uint32_t triangles,
                   const BundleFrame* frame,
                   const BundleAcross* bundle,
                   BlockAcross* placed) {
-    place(from, count, corners, *frame, *bundle, *placed);
+    place(from, count, corners, triangles, *frame, *bundle, *placed);
 }
 
 void place_doubles(const double* from,
                    std::size_t count,
                    const BlockCorners* corners,
+                   std::uint32_t triangles,
                    const BundleFrame* frame,
                    const BundleAcross* bundle,
                    BlockAcross* placed) {
-    place(from, count, corners, *frame, *bundle, *placed);
+    place(from, count, corners, triangles, *frame, *bundle, *placed);
 }
 
 /// Returns twice the area of the triangle of the origin and two points, positive if it turns left.
@@ -252,123 +236,104 @@ HWY_INLINE V turn(V from_x, V from_y, V to_x, V to_y) {
     return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
 }
 
-/// The turns of triangles around lines, one pair in each lane.
-struct Turns {
-    V least;
-    V most;
-
-    HWY_INLINE Turns(const V (&corner_x)[3], const V (&corner_y)[3], V line_x, V line_y) {
-        V x[3];
-        V y[3];
+/// A triangle's corners across the lines and the bound of its turns, the same in all lanes.
+struct Target {
+    HWY_INLINE Target(const BlockAcross& placed, std::size_t triangle)
+        : error(set(placed.turn_error[triangle])) {
         for (std::size_t i = 0; i < 3; ++i) {
-            x[i] = hn::Sub(corner_x[i], line_x);
-            y[i] = hn::Sub(corner_y[i], line_y);
+            x[i] = set(placed.corners[1][i][triangle]);
+            y[i] = set(placed.corners[2][i][triangle]);
         }
-        const V turns[3] = {turn(x[0], y[0], x[1], y[1]),
-                            turn(x[1], y[1], x[2], y[2]),
-                            turn(x[2], y[2], x[0], y[0])};
-        least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
-        most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
     }
+
+    V x[3];
+    V y[3];
+    V error;
 };
 
-/// Adds the pairs of the first `valid` lanes that are not apart; `pair_of(lane)` returns a lane's
-/// pair.
-template <class PairOf>
-HWY_INLINE void add_marks(
-    const Turns& turns, V error, std::size_t valid, const PairOf& pair_of, MarkedPairs& marked) {
+/// Marks the lines of one vector, of which the first `valid` count.
+HWY_INLINE void mark_vector(const Target& target,
+                            std::uint32_t triangle,
+                            const LineRows& lines,
+                            std::uint32_t first,
+                            std::uint32_t valid,
+                            MarkedPairs& marked) {
     const Doubles d;
-    const V minus_error = hn::Neg(error);
-    const M misses = hn::And(hn::Lt(turns.least, minus_error), hn::Gt(turns.most, error));
+    const V line_x = hn::LoadU(d, lines.across[0] + first);
+    const V line_y = hn::LoadU(d, lines.across[1] + first);
+    V x[3];
+    V y[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = hn::Sub(target.x[i], line_x);
+        y[i] = hn::Sub(target.y[i], line_y);
+    }
+    const V turns[3] = {
+        turn(x[0], y[0], x[1], y[1]), turn(x[1], y[1], x[2], y[2]), turn(x[2], y[2], x[0], y[0])};
+    const V least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
+    const V most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
+    const V minus_error = hn::Neg(target.error);
+    const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
     std::uint32_t left = ~bits_of(d, misses) & ((1u << valid) - 1);
     if (left == 0) {
         return;
     }
-    const std::uint32_t along = bits_of(d, hn::Gt(turns.least, error));
-    const std::uint32_t against = bits_of(d, hn::Lt(turns.most, minus_error));
+    const std::uint32_t along = bits_of(d, hn::Gt(least, target.error));
+    const std::uint32_t against = bits_of(d, hn::Lt(most, minus_error));
     for (; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-        marked.pairs[marked.count] = pair_of(lane);
+        marked.lines[marked.count] = first + lane;
+        marked.triangles[marked.count] = static_cast<std::uint8_t>(triangle);
         marked.passes[marked.count] =
             static_cast<LinePasses>((along >> lane & 1) | (against >> lane & 1) << 1);
         ++marked.count;
     }
 }
 
-void mark_pairs_on(const BlockAcross* placed,
-                   const LineRows* lines,
-                   const PairAcross* pairs,
-                   std::size_t count,
-                   MarkedPairs* marked) {
-    const Doubles d;
-    constexpr std::size_t lanes = hn::MaxLanes(Doubles());
-    const hn::Rebind<std::uint32_t, Doubles> numbers;
-    marked->count = 0;
-    for (std::size_t begin = 0; begin < count; begin += lanes) {
-        hn::Vec<decltype(numbers)> triangle;
-        hn::Vec<decltype(numbers)> line;
-        hn::LoadInterleaved2(
-            numbers, reinterpret_cast<const std::uint32_t*>(pairs + begin), triangle, line);
-        const auto of_triangle = hn::PromoteTo(Index(), hn::BitCast(Bins(), triangle));
-        const auto of_line = hn::PromoteTo(Index(), hn::BitCast(Bins(), line));
-        V x[3];
-        V y[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            x[i] = hn::GatherIndex(d, placed->corners[0][i].data(), of_triangle);
-            y[i] = hn::GatherIndex(d, placed->corners[1][i].data(), of_triangle);
-        }
-        const Turns turns(x,
-                          y,
-                          hn::GatherIndex(d, lines->across[0], of_line),
-                          hn::GatherIndex(d, lines->across[1], of_line));
-        add_marks(
-            turns,
-            hn::GatherIndex(d, placed->turn_error.data(), of_triangle),
-            count - begin < lanes ? count - begin : lanes,
-            [&](std::uint32_t lane) { return pairs[begin + lane]; },
-            *marked);
-    }
+/// Returns whether some line has a coordinate in a triangle's box on one axis, as
+/// ParallelLines::may_hold does.
+HWY_INLINE bool holds_coordinate(const BlockAcross& placed,
+                                 const BundleAcross& bundle,
+                                 std::size_t which,
+                                 std::size_t triangle) {
+    const BundleAcross::Axis& axis = bundle.axes[which];
+    const std::int32_t first = placed.first[which][triangle];
+    const std::int32_t last = placed.last[which][triangle];
+    const bool is_below = placed.low[which][triangle] <= axis.most_of_bins[first];
+    const bool is_above = placed.high[which][triangle] >= axis.least_of_bins[last];
+    return first == last ? is_below & is_above : is_below | is_above | (last - first > 1);
 }
 
-bool mark_lines_on(const BlockAcross* placed,
+bool mark_pairs_on(const BlockAcross* placed,
+                   const BundleAcross* bundle,
                    const LineRows* lines,
                    LineWalk* walk,
-                   MarkedPairs* marked,
-                   std::uint64_t* tested) {
-    const Doubles d;
+                   MarkedPairs* marked) {
     constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
-    const std::uint32_t triangle = walk->triangle;
-    V x[3];
-    V y[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        x[i] = set(placed->corners[0][i][triangle]);
-        y[i] = set(placed->corners[1][i][triangle]);
-    }
-    const V error = set(placed->turn_error[triangle]);
-    const auto first_column = static_cast<std::uint32_t>(placed->first[0][triangle]);
-    const auto last_column = static_cast<std::uint32_t>(placed->last[0][triangle]);
-    const auto last_row = static_cast<std::uint32_t>(placed->last[1][triangle]);
     marked->count = 0;
-    for (; walk->row <= last_row; ++walk->row, walk->done = 0) {
-        const std::uint32_t begin = lines->begin_of(first_column, walk->row);
-        const std::uint32_t end = lines->begin_of(last_column + 1, walk->row);
-        for (std::uint32_t i = begin + walk->done; i < end; i += lanes) {
-            if (marked->count + lanes > MarkedPairs::most) {
-                walk->done = i - begin;
-                return false;
+    marked->tested = 0;
+    for (; walk->triangle < placed->count; ++walk->triangle, walk->row = 0) {
+        const std::uint32_t triangle = walk->triangle;
+        if (!(holds_coordinate(*placed, *bundle, 0, triangle) &
+              holds_coordinate(*placed, *bundle, 1, triangle))) {
+            continue;
+        }
+        const Target target(*placed, triangle);
+        const auto column = static_cast<std::uint32_t>(placed->first[0][triangle]);
+        const auto column_end = static_cast<std::uint32_t>(placed->last[0][triangle]) + 1;
+        const auto first_row = static_cast<std::uint32_t>(placed->first[1][triangle]);
+        const auto rows = static_cast<std::uint32_t>(placed->last[1][triangle]) + 1 - first_row;
+        for (; walk->row < rows; ++walk->row, walk->line = 0) {
+            const std::uint32_t begin = lines->begin_of(column, first_row + walk->row);
+            const std::uint32_t end = lines->begin_of(column_end, first_row + walk->row);
+            for (std::uint32_t i = begin + walk->line; i < end; i += lanes) {
+                if (marked->count + lanes > MarkedPairs::most) {
+                    walk->line = i - begin;
+                    return false;
+                }
+                const std::uint32_t valid = end - i < lanes ? end - i : lanes;
+                mark_vector(target, triangle, *lines, i, valid, *marked);
+                marked->tested += valid;
             }
-            const Turns turns(
-                x, y, hn::LoadU(d, lines->across[0] + i), hn::LoadU(d, lines->across[1] + i));
-            const std::uint32_t valid = end - i < lanes ? end - i : lanes;
-            add_marks(
-                turns,
-                error,
-                valid,
-                [&](std::uint32_t lane) {
-                    return PairAcross{triangle, i + lane};
-                },
-                *marked);
-            *tested += valid;
         }
     }
     return true;
@@ -386,7 +351,6 @@ HWY_EXPORT(children_with_lines_on);
 HWY_EXPORT(place_floats);
 HWY_EXPORT(place_doubles);
 HWY_EXPORT(mark_pairs_on);
-HWY_EXPORT(mark_lines_on);
 
 /// With v = 2^-24 and n for the count of bins: places that count are within n of 0, so that their
 /// product and sum err by at most 2 v n, and the coordinate, the middle's place and the factor by v
@@ -450,6 +414,7 @@ BundleAcross bundle_across(const ParallelLines& lines, double error, double boun
 
 void place_block(const TriangleBlocks& blocks,
                  std::uint32_t block,
+                 std::uint32_t triangles,
                  const BundleFrame& frame,
                  const BundleAcross& bundle,
                  BlockAcross& placed) {
@@ -458,26 +423,19 @@ void place_block(const TriangleBlocks& blocks,
     const BlockCorners* const corners = &blocks.corners[std::size_t{block_size} * block];
     if (blocks.doubles.empty()) {
         HWY_DYNAMIC_DISPATCH(place_floats)
-        (&blocks.floats[first], count, corners, &frame, &bundle, &placed);
+        (&blocks.floats[first], count, corners, triangles, &frame, &bundle, &placed);
     } else {
         HWY_DYNAMIC_DISPATCH(place_doubles)
-        (&blocks.doubles[first], count, corners, &frame, &bundle, &placed);
+        (&blocks.doubles[first], count, corners, triangles, &frame, &bundle, &placed);
     }
 }
 
-void mark_pairs(const BlockAcross& placed,
-                const LineRows& lines,
-                std::span<const PairAcross> pairs,
-                MarkedPairs& marked) {
-    HWY_DYNAMIC_DISPATCH(mark_pairs_on)(&placed, &lines, pairs.data(), pairs.size(), &marked);
-}
-
-bool mark_lines(const BlockAcross& placed,
+bool mark_pairs(const BlockAcross& placed,
+                const BundleAcross& bundle,
                 const LineRows& lines,
                 LineWalk& walk,
-                MarkedPairs& marked,
-                std::uint64_t& tested) {
-    return HWY_DYNAMIC_DISPATCH(mark_lines_on)(&placed, &lines, &walk, &marked, &tested);
+                MarkedPairs& marked) {
+    return HWY_DYNAMIC_DISPATCH(mark_pairs_on)(&placed, &bundle, &lines, &walk, &marked);
 }
 
 } // namespace cd

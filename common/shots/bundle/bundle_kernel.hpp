@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace cd {
 
@@ -73,24 +72,28 @@ struct BundleAcross {
 [[nodiscard]] BundleAcross
 bundle_across(const ParallelLines& lines, double error, double bound_scale);
 
-/// The triangles of a block in the bundle's coordinates, by place in the block.
+/// Triangles of a block in the bundle's coordinates.
 struct BlockAcross {
     static constexpr std::size_t vertices_most = block_vertices_max + 8;
     using Doubles = std::array<double, block_size>;
     using Bins = std::array<std::int32_t, block_size>;
 
     alignas(64) std::array<std::array<double, vertices_most>, 3> vertices;
-    alignas(64) std::array<std::array<Doubles, 3>, 2> corners; ///< Across, by axis and corner.
-    alignas(64) Doubles turn_error;                            ///< Bounds the error of each turn.
-    alignas(64) std::array<Bins, 2> first;                     ///< Bins of its lines, by axis.
+    alignas(64) std::array<std::array<Doubles, 3>, 3> corners; ///< By axis and corner.
+    alignas(64) std::array<Doubles, 2> low;                    ///< Boxes across, outwards.
+    alignas(64) std::array<Doubles, 2> high;
+    alignas(64) std::array<Bins, 2> first; ///< Bins of the boxes.
     alignas(64) std::array<Bins, 2> last;
-    std::uint32_t held = 0;    ///< Bit mask: on each axis, some line has a coordinate in its box.
+    alignas(64) Doubles turn_error;              ///< Bounds the error of each turn.
+    std::array<std::uint8_t, block_size> places; ///< In the block.
+    std::uint32_t count = 0;
     std::uint32_t between = 0; ///< Bit mask: strictly between the lines' ends.
 };
 
-/// Places a block's triangles. Those of unused slots are meaningless.
+/// Places those triangles of a block that a bit mask names.
 void place_block(const TriangleBlocks& blocks,
                  std::uint32_t block,
+                 std::uint32_t triangles,
                  const BundleFrame& frame,
                  const BundleAcross& bundle,
                  BlockAcross& placed);
@@ -102,40 +105,30 @@ enum class LinePasses : std::uint8_t {
     Against = 2, ///< Passes through the inside, and the corners turn right.
 };
 
-/// A triangle of a block and a line, by its number.
-struct PairAcross {
-    std::uint32_t triangle;
-    std::uint32_t line;
-};
-
-/// Pairs that doubles do not prove to be apart.
+/// Pairs of placed triangles and lines that doubles do not prove to be apart.
 struct MarkedPairs {
     static constexpr std::size_t most = 256;
 
     std::size_t count = 0;
-    std::array<PairAcross, most> pairs;
+    std::uint64_t tested = 0;                 ///< All pairs looked at.
+    std::array<std::uint32_t, most> lines;    ///< Numbers of lines.
+    std::array<std::uint8_t, most> triangles; ///< Numbers of placed triangles.
     std::array<LinePasses, most> passes;
 };
 
-/// Marks pairs of a block, at most `MarkedPairs::most`.
-void mark_pairs(const BlockAcross& placed,
-                const LineRows& lines,
-                std::span<const PairAcross> pairs,
-                MarkedPairs& marked);
-
-/// A walk over all lines in the bins of a triangle.
+/// A walk over the lines in the bins of placed triangles.
 struct LineWalk {
-    std::uint32_t triangle = 0;
-    std::uint32_t row = 0;  ///< The present row of bins.
-    std::uint32_t done = 0; ///< Lines of the row that are done.
+    std::uint32_t triangle = 0; ///< The present triangle.
+    std::uint32_t row = 0;      ///< Rows of its bins that are done.
+    std::uint32_t line = 0;     ///< Lines of the present row that are done.
 };
 
-/// Marks lines of one triangle until all are marked or there is no more room. Returns whether all
-/// are marked; if not, another call goes on. Adds the number of lines to `tested`.
-[[nodiscard]] bool mark_lines(const BlockAcross& placed,
+/// Marks pairs until all are marked or there is no more room. Returns whether all are marked; if
+/// not, another call goes on.
+[[nodiscard]] bool mark_pairs(const BlockAcross& placed,
+                              const BundleAcross& bundle,
                               const LineRows& lines,
                               LineWalk& walk,
-                              MarkedPairs& marked,
-                              std::uint64_t& tested);
+                              MarkedPairs& marked);
 
 } // namespace cd

@@ -28,14 +28,14 @@ void prefetch(const void* from, std::size_t bytes) {
     }
 }
 
-/// Prefetches a block's corners, and its vertices up to the count that most blocks have.
+/// Prefetches a block's corners and vertices.
 void prefetch_block(const TriangleBlocks& blocks, std::uint32_t block) {
-    constexpr std::size_t numbers = 3 * std::size_t{block_size};
     const std::size_t first = 3 * std::size_t{blocks.vertex_begin[block]};
+    const std::size_t end = 3 * std::size_t{blocks.vertex_begin[block + 1]};
     if (blocks.doubles.empty()) {
-        prefetch(&blocks.floats[first], numbers * sizeof(float));
+        prefetch(&blocks.floats[first], (end - first) * sizeof(float));
     } else {
-        prefetch(&blocks.doubles[first], numbers * sizeof(double));
+        prefetch(&blocks.doubles[first], (end - first) * sizeof(double));
     }
     prefetch(&blocks.corners[std::size_t{block_size} * block], block_size * sizeof(BlockCorners));
 }
@@ -111,81 +111,42 @@ void BundleSearch::visit(const WideNode& node) {
         prefetch_block(a_.triangles, node.first);
         return;
     }
-    for (; found != 0; found &= found - 1) {
-        const std::uint32_t child =
-            node.first + static_cast<std::uint32_t>(std::countr_zero(found));
-        prefetch(&a_.nodes[child], sizeof(WideNode));
-        stack_.push_back(child);
+    // The first child comes to lie on top, so that the walk goes forward in memory.
+    while (found != 0) {
+        const auto last = static_cast<std::uint32_t>(std::bit_width(found)) - 1;
+        found ^= 1u << last;
+        prefetch(&a_.nodes[node.first + last], sizeof(WideNode));
+        stack_.push_back(node.first + last);
     }
 }
 
 void BundleSearch::test_leaf(const Leaf& leaf) {
-    const std::uint32_t first_slot = block_size * leaf.node->first;
-    place_block(a_.triangles, leaf.node->first, *frame_, across_.of_triangles, placed_);
-    listed_.clear();
-    for (std::uint32_t left = leaf.triangles & placed_.held; left != 0; left &= left - 1) {
-        list_pairs(static_cast<std::uint32_t>(std::countr_zero(left)), first_slot);
-    }
-    test_listed(first_slot);
-}
-
-/// Lists a triangle with the lines of its bins, or tests it at once if these are many.
-void BundleSearch::list_pairs(std::uint32_t triangle, std::uint32_t first_slot) {
-    constexpr std::uint32_t bins_most = 8;
-    constexpr std::size_t lines_most = 32;
+    const std::uint32_t block = leaf.node->first;
+    const BundleAcross& bundle = across_.of_triangles;
+    place_block(a_.triangles, block, leaf.triangles, *frame_, bundle, placed_);
     const LineRows rows = lines_->rows();
-    const auto column = static_cast<std::uint32_t>(placed_.first[0][triangle]);
-    const auto column_end = static_cast<std::uint32_t>(placed_.last[0][triangle]) + 1;
-    const auto first_row = static_cast<std::uint32_t>(placed_.first[1][triangle]);
-    const auto row_end = static_cast<std::uint32_t>(placed_.last[1][triangle]) + 1;
-    std::size_t lines = bins_most < (column_end - column) * (row_end - first_row) ? lines_most : 0;
-    for (std::uint32_t row = first_row; row < row_end && lines < lines_most; ++row) {
-        lines += rows.begin_of(column_end, row) - rows.begin_of(column, row);
-    }
-    if (lines >= lines_most) {
-        LineWalk walk{triangle, first_row, 0};
-        MarkedPairs marked;
-        for (bool is_done = false; !is_done;) {
-            is_done = mark_lines(placed_, rows, walk, marked, tests_.lines);
-            add(first_slot, marked);
-        }
-        return;
-    }
-    if (listed_.size() + lines > MarkedPairs::most) {
-        test_listed(first_slot);
-    }
-    for (std::uint32_t row = first_row; row < row_end; ++row) {
-        const std::uint32_t end = rows.begin_of(column_end, row);
-        for (std::uint32_t line = rows.begin_of(column, row); line < end; ++line) {
-            listed_.push_back({triangle, line});
-        }
+    LineWalk walk;
+    for (bool is_done = false; !is_done;) {
+        is_done = mark_pairs(placed_, bundle, rows, walk, marked_);
+        add_marked(block_size * block);
     }
 }
 
-void BundleSearch::test_listed(std::uint32_t first_slot) {
-    // A vector may read past the last pair.
-    const std::size_t count = listed_.size();
-    listed_.resize(count + ParallelLines::spare_lines, {0, 0});
-    MarkedPairs marked;
-    mark_pairs(placed_, lines_->rows(), std::span(listed_).first(count), marked);
-    tests_.lines += count;
-    add(first_slot, marked);
-    listed_.clear();
-}
-
-/// Adds marked pairs of the block with the given first slot.
-void BundleSearch::add(std::uint32_t first_slot, const MarkedPairs& marked) {
+/// Adds the marked pairs of the block with the given first slot.
+void BundleSearch::add_marked(std::uint32_t first_slot) {
     const bool rises = lines_->ends()[1] > lines_->ends()[0];
-    for (std::size_t i = 0; i < marked.count; ++i) {
-        const auto [triangle, line] = marked.pairs[i];
-        const std::uint32_t slot = first_slot + triangle;
+    tests_.lines += marked_.tested;
+    for (std::size_t i = 0; i < marked_.count; ++i) {
+        const std::uint32_t triangle = marked_.triangles[i];
+        const std::uint32_t line = marked_.lines[i];
+        const std::uint32_t slot = first_slot + placed_.places[triangle];
         const bool is_between = (placed_.between >> triangle & 1) != 0;
-        if (marked.passes[i] == LinePasses::Unknown || !is_between) {
+        if (marked_.passes[i] == LinePasses::Unknown || !is_between) {
             open_.push_back({slot, lines_->slots()[line]});
             --tests_.lines;
             continue;
         }
-        const bool is_back = (marked.passes[i] == LinePasses::Along) == rises;
+        const bool is_back = (marked_.passes[i] == LinePasses::Along) == rises;
         const int side = is_back ? hit_flag::back : hit_flag::front;
         passes_.push_back({slot, line, static_cast<std::uint8_t>(hit_flag::crosses | side)});
     }

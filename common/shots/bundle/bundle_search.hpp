@@ -70,14 +70,12 @@ class BundleSearch {
         std::uint64_t lines = 0;
     };
     /// Leaves wait for their triangles to arrive from memory.
-    static constexpr std::size_t waiting_most = 4;
+    static constexpr std::size_t waiting_most = 8;
 
     [[nodiscard]] std::uint32_t children_of(const WideNode& node) const;
     void visit(const WideNode& node);
     void test_leaf(const Leaf& leaf);
-    void list_pairs(std::uint32_t triangle, std::uint32_t first_slot);
-    void test_listed(std::uint32_t first_slot);
-    void add(std::uint32_t first_slot, const MarkedPairs& marked);
+    void add_marked(std::uint32_t first_slot);
 
     double bound_scale_;
     WideView a_;
@@ -85,9 +83,9 @@ class BundleSearch {
     Across across_;
     std::optional<BundleFrame> frame_;
     std::vector<std::uint32_t> stack_;
-    std::vector<Leaf> waiting_;      ///< At most `waiting_most`, the oldest first.
-    BlockAcross placed_;             ///< The triangles of the leaf that is tested.
-    std::vector<PairAcross> listed_; ///< Pairs of that leaf that are not yet tested.
+    std::vector<Leaf> waiting_; ///< At most `waiting_most`, the oldest first.
+    BlockAcross placed_;        ///< The triangles of the leaf that is tested.
+    MarkedPairs marked_;
     std::vector<LinePass> passes_;
     std::vector<Candidate> open_;
     Tests tests_;
