@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 
 namespace cd {
 
@@ -136,15 +137,15 @@ bool are_strips_worth_it(const BoxSample& sample, const Axes& axes, std::size_t 
            sample.part(axes[1]) < part_max;
 }
 
-/// Returns the keys of the pairs that overlap, in no order.
-std::vector<std::uint32_t> overlapping_keys(std::span<const WorldBox> boxes) {
-    const BoxSample sample(boxes);
+/// Adds the pairs of all boxes.
+void add_all_pairs(std::span<const WorldBox> boxes,
+                   std::span<const std::uint32_t> order,
+                   const BoxSample& sample,
+                   PairCollector& pairs) {
     const Axes axes = sample.axes();
-    const Indices order = sorted_by_low(boxes, axes[0]);
-    PairCollector pairs;
     if (!are_strips_worth_it(sample, axes, boxes.size())) {
         pairs.add_within(SortedBoxes(boxes, order, axes));
-        return pairs.take();
+        return;
     }
     for (const Strip& strip :
          make_strips(boxes, order, axes[1], sample.quantiles(axes[1], strip_count))) {
@@ -152,17 +153,56 @@ std::vector<std::uint32_t> overlapping_keys(std::span<const WorldBox> boxes) {
         pairs.add_within(begin);
         pairs.add_between(begin, SortedBoxes(boxes, strip.reach, axes));
     }
-    return pairs.take();
+}
+
+/// Adds the pairs that have a box which moves.
+void add_moving_pairs(std::span<const WorldBox> boxes,
+                      std::span<const std::uint8_t> is_fixed,
+                      std::span<const std::uint32_t> order,
+                      const Axes& axes,
+                      PairCollector& pairs) {
+    Indices moving;
+    Indices fixed;
+    for (const std::uint32_t body : order) {
+        (is_fixed[body] != 0 ? fixed : moving).push_back(body);
+    }
+    const SortedBoxes of_moving(boxes, moving, axes);
+    pairs.add_within(of_moving);
+    pairs.add_between(of_moving, SortedBoxes(boxes, fixed, axes));
+}
+
+/// Returns the keys of the pairs that overlap, in no order.
+std::vector<std::uint32_t> overlapping_keys(std::span<const WorldBox> boxes,
+                                            std::span<const std::uint8_t> is_fixed) {
+    const BoxSample sample(boxes);
+    const Axes axes = sample.axes();
+    const Indices order = sorted_by_low(boxes, axes[0]);
+    const auto fixed = static_cast<std::size_t>(std::ranges::count_if(is_fixed, std::identity()));
+    PairCollector pairs;
+    if (fixed > boxes.size() / 4 * 3) {
+        add_moving_pairs(boxes, is_fixed, order, axes, pairs);
+        return pairs.take();
+    }
+    add_all_pairs(boxes, order, sample, pairs);
+    std::vector<std::uint32_t> keys = pairs.take();
+    if (fixed > 1) {
+        std::erase_if(keys, [&](std::uint32_t key) {
+            return is_fixed[key >> 16] != 0 && is_fixed[key & 0xFFFFu] != 0;
+        });
+    }
+    return keys;
 }
 
 } // namespace
 
-std::vector<BodyPair> overlapping_pairs(std::span<const WorldBox> boxes) {
+std::vector<BodyPair> overlapping_pairs(std::span<const WorldBox> boxes,
+                                        std::span<const std::uint8_t> is_fixed) {
     CD_CHECK(boxes.size() <= boxes_max);
+    CD_CHECK(is_fixed.empty() || is_fixed.size() == boxes.size());
     if (boxes.size() < 2) {
         return {};
     }
-    std::vector<std::uint32_t> keys = overlapping_keys(boxes);
+    std::vector<std::uint32_t> keys = overlapping_keys(boxes, is_fixed);
     NumberSorter().sort(keys);
     std::vector<BodyPair> pairs(keys.size());
     std::ranges::transform(keys, pairs.begin(), [](std::uint32_t key) {

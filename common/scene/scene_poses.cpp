@@ -191,20 +191,18 @@ Result<std::vector<WorldBox>> ScenePoses::boxes_of(const Step& step,
 Result<std::vector<BodyPair>> ScenePoses::pairs_of(const Step& step) const {
     const std::vector<std::uint32_t> present = present_bodies(step.poses);
     const std::vector<WorldBox> boxes = CD_TRY(boxes_of(step, present));
+    std::vector<std::uint8_t> is_settled; // Step 0 tests the pairs of fixed bodies for all steps.
+    for (std::size_t i = 0; i < present.size() && step.number > 0; ++i) {
+        is_settled.push_back(scene_.bodies[present[i]].is_fixed ? 1 : 0);
+    }
     std::vector<BodyPair> pairs;
-    for (const BodyPair found : overlapping_pairs(boxes)) {
+    for (const BodyPair found : overlapping_pairs(boxes, is_settled)) {
         const BodyPair pair{present[found.a], present[found.b]};
-        if (is_tested(step.number, pair)) {
+        if (!scene_.ignored.has(pair)) {
             pairs.push_back(pair);
         }
     }
     return pairs;
-}
-
-bool ScenePoses::is_tested(std::uint64_t step, BodyPair pair) const {
-    const bool is_settled =
-        step > 0 && scene_.bodies[pair.a].is_fixed && scene_.bodies[pair.b].is_fixed;
-    return !is_settled && !scene_.ignored.has(pair);
 }
 
 Scenario ScenePoses::scenario_of(const Step& step, std::uint64_t index) const {

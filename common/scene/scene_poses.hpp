@@ -79,7 +79,6 @@ class ScenePoses final : public PoseSource {
     boxes_of(const Step& step, std::span<const std::uint32_t> bodies) const;
     [[nodiscard]] Result<std::vector<BodyPair>> pairs_of(const Step& step) const;
     [[nodiscard]] Scenario scenario_of(const Step& step, std::uint64_t index) const;
-    [[nodiscard]] bool is_tested(std::uint64_t step, BodyPair pair) const;
 
     Scene scene_;
     std::unique_ptr<StepPoses> poses_;

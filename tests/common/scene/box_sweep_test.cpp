@@ -113,6 +113,31 @@ TEST(BoxSweep, FindsThePairsThatOverlapAndNoOthers) {
     EXPECT_GT(pairs, 10000u);
 }
 
+TEST(BoxSweep, LeavesOutThePairsOfTwoFixedBoxesAndNoOthers) {
+    std::size_t pairs = 0;
+    on_every_target([&](SimdTarget) {
+        for (const auto& [name, make] : box_makers()) {
+            SCOPED_TRACE(name);
+            for (SeededRandom random : seeds(raised(20))) {
+                std::vector<WorldBox> boxes(random() % 90);
+                std::vector<std::uint8_t> is_fixed;
+                const std::uint64_t movers = 1 + random() % 9; // One box of so many moves.
+                for (WorldBox& box : boxes) {
+                    box = make(random);
+                    is_fixed.push_back(random() % movers == 0 ? 0 : 1);
+                }
+                std::vector<BodyPair> truth = all_overlaps(boxes);
+                std::erase_if(truth, [&](BodyPair pair) {
+                    return is_fixed[pair.a] != 0 && is_fixed[pair.b] != 0;
+                });
+                EXPECT_EQ(overlapping_pairs(boxes, is_fixed), truth);
+                pairs += truth.size();
+            }
+        }
+    });
+    EXPECT_GT(pairs, 10000u);
+}
+
 TEST(BoxSweep, DividesManyBoxesIntoStripsAndLosesNone) {
     // On each axis a box overlaps a fifth of the others, but for those that reach through all.
     std::vector<std::vector<WorldBox>> crowds;
