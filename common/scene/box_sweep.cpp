@@ -113,10 +113,17 @@ std::vector<Strip> make_strips(std::span<const WorldBox> boxes,
                                std::size_t axis,
                                std::span<const float> ends) {
     const auto strip_of = [&](float value) {
-        return static_cast<std::size_t>(
-            std::ranges::count_if(ends, [&](float end) { return end <= value; }));
+        std::size_t strip = 0;
+        for (const float end : ends) {
+            strip += end <= value ? 1 : 0;
+        }
+        return strip;
     };
     std::vector<Strip> strips(ends.size() + 1);
+    for (Strip& strip : strips) {
+        strip.begin.reserve(2 * order.size() / strips.size());
+        strip.reach.reserve(2 * order.size() / strips.size());
+    }
     for (const std::uint32_t body : order) {
         const std::size_t first = strip_of(boxes[body].low[axis]);
         const std::size_t last = strip_of(boxes[body].high[axis]);

@@ -75,25 +75,27 @@ HWY_INLINE std::uint32_t bits_of(hn::Mask<Floats> mask) {
     return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8;
 }
 
-/// Writes the numbers in the lanes of the mask, one behind the other. Other numbers may follow
+/// Writes the numbers in the lanes of the bits, one behind the other. Other numbers may follow
 /// them, `lanes` in all. Returns how many they are.
-HWY_INLINE std::size_t
-write_some(hn::Vec<Numbers> numbers, hn::Mask<Floats> mask, std::uint32_t* to) {
+HWY_INLINE std::size_t write_some(hn::Vec<Numbers> numbers, std::uint32_t bits, std::uint32_t* to) {
     const Numbers dn;
     if constexpr (lanes <= 8) {
         // GCC 12 copies the table of Highway's CompressStore to the stack at each call.
-        const std::uint32_t bits = bits_of(mask);
         const auto order = hn::SetTableIndices(dn, lanes_of_bits[bits].data());
         hn::StoreU(hn::TableLookupLanes(numbers, order), dn, to);
-        return static_cast<std::size_t>(std::popcount(bits));
     } else {
-        return hn::CompressStore(numbers, hn::RebindMask(dn, mask), dn, to);
+        // Highway may read eight bytes.
+        const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits),
+                                                static_cast<std::uint8_t>(bits >> 8)};
+        hn::CompressStore(numbers, hn::LoadMaskBits(dn, bytes.data()), dn, to);
     }
+    return static_cast<std::size_t>(std::popcount(bits));
 }
 
 /// Compares the box at `row` with those of `others` from `first` on. Whether a block of boxes has a
 /// hit is hard to predict. So the first loop only notes the blocks that have one, without a branch,
-/// and the second one, which takes few blocks, finds the hits again.
+/// each as its place and 16 bits for its hits. The second loop, which takes few blocks, writes
+/// them.
 HWY_INLINE std::size_t write_row(const SweepColumns& rows,
                                  std::uint32_t row,
                                  const SweepColumns& others,
@@ -107,18 +109,23 @@ HWY_INLINE std::size_t write_row(const SweepColumns& rows,
     std::size_t noted = 0;
     for (std::uint32_t at = first; others.low[0][at] <= end;
          at += static_cast<std::uint32_t>(lanes)) {
-        blocks[noted] = at;
-        noted += hn::AllFalse(d, box.overlaps(others, at)) ? 0 : 1;
+        const std::uint32_t hits = bits_of(box.overlaps(others, at));
+        blocks[noted] = at << 16 | hits;
+        noted += hits != 0 ? 1 : 0;
     }
-    const auto ends = hn::Set(d, end);
+    if (noted == 0) {
+        return 0;
+    }
+    // Of all blocks the last one alone can have boxes that begin after the end.
+    std::uint32_t& last = blocks[noted - 1];
+    const auto begins = hn::Le(hn::LoadU(d, others.low[0] + (last >> 16)), hn::Set(d, end));
+    last &= 0xFFFF0000u | bits_of(begins);
     const auto body = hn::Set(dn, rows.body[row]);
     std::size_t count = 0;
     for (std::size_t i = 0; i < noted; ++i) {
-        const std::uint32_t at = blocks[i];
-        const auto begins = hn::Le(hn::LoadU(d, others.low[0] + at), ends);
-        const auto bodies = hn::LoadU(dn, others.body + at);
+        const auto bodies = hn::LoadU(dn, others.body + (blocks[i] >> 16));
         const auto pairs = hn::Or(hn::ShiftLeft<16>(hn::Min(body, bodies)), hn::Max(body, bodies));
-        count += write_some(pairs, hn::And(begins, box.overlaps(others, at)), keys + count);
+        count += write_some(pairs, blocks[i] & 0xFFFFu, keys + count);
     }
     return count;
 }

@@ -14,7 +14,7 @@ struct SweepColumns {
     std::array<const float*, 3> low;
     std::array<const float*, 3> high;
     const std::uint32_t* body; ///< Numbers below 2^16.
-    std::uint32_t count;
+    std::uint32_t count;       ///< At most 2^16.
 };
 
 inline constexpr std::size_t sweep_padding = 16;
