@@ -7,6 +7,7 @@
 // many sizes in a cube that they fill eight times over. The label gives the number of pairs.
 #include "bench/box_crowds.hpp"
 #include "common/scene/box_sweep.hpp"
+#include "common/scene/world_boxes.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -18,13 +19,13 @@ namespace cd::bench {
 namespace {
 
 void measure(benchmark::State& state, const std::vector<PosedBox>& bodies) {
-    std::vector<WorldBox> boxes(bodies.size());
     std::size_t pairs = 0;
     for ([[maybe_unused]] auto _ : state) {
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            boxes[i] = world_box(bodies[i].box, bodies[i].pose);
+        WorldBoxes boxes(bodies.size());
+        for (const PosedBox& body : bodies) {
+            boxes.add(body.box, body.pose);
         }
-        pairs = overlapping_pairs(boxes).size();
+        pairs = overlapping_pairs(boxes.take()).size();
     }
     state.SetLabel(std::to_string(pairs) + " pairs");
 }

@@ -1,111 +1,80 @@
 #include "common/scene/box_sweep.hpp"
 
-#include "common/geometry/highway_targets.hpp"
+#include "common/core/check.hpp"
 #include "common/geometry/number_sorter.hpp"
+#include "common/scene/sorted_boxes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <limits>
+#include <functional>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "common/scene/box_sweep.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-#ifndef CD_COMMON_SCENE_BOX_SWEEP_CPP
-#define CD_COMMON_SCENE_BOX_SWEEP_CPP
-
-namespace cd {
-
-/// Columns of sorted boxes: the axis of the sweep first. Each has `sweep_padding` more values at
-/// its end, which overlap nothing.
-struct SweepColumns {
-    std::array<const float*, 3> low;
-    std::array<const float*, 3> high;
-    std::uint32_t count;
-};
-
-inline constexpr std::size_t sweep_padding = 16;
-
-} // namespace cd
-
-#endif
-
-HWY_BEFORE_NAMESPACE();
-namespace cd {
-namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, sweep_padding>;
-constexpr std::size_t lanes = hn::MaxLanes(Floats());
-
-/// Appends the positions of the boxes behind `first` that overlap it, to at least `count + lanes`
-/// places in `found`. Returns how many there are.
-std::uint32_t
-overlaps_behind(const SweepColumns& boxes, std::uint32_t first, std::uint32_t* found) {
-    const Floats d;
-    const hn::RebindToUnsigned<Floats> du;
-    const auto end = hn::Set(d, boxes.high[0][first]);
-    const auto low_1 = hn::Set(d, boxes.low[1][first]);
-    const auto high_1 = hn::Set(d, boxes.high[1][first]);
-    const auto low_2 = hn::Set(d, boxes.low[2][first]);
-    const auto high_2 = hn::Set(d, boxes.high[2][first]);
-    std::uint32_t count = 0;
-    for (std::uint32_t at = first + 1; at < boxes.count; at += static_cast<std::uint32_t>(lanes)) {
-        const auto begins = hn::Le(hn::LoadU(d, boxes.low[0] + at), end);
-        if (hn::AllFalse(d, begins)) {
-            break;
-        }
-        const auto on_1 = hn::And(hn::Le(hn::LoadU(d, boxes.low[1] + at), high_1),
-                                  hn::Ge(hn::LoadU(d, boxes.high[1] + at), low_1));
-        const auto on_2 = hn::And(hn::Le(hn::LoadU(d, boxes.low[2] + at), high_2),
-                                  hn::Ge(hn::LoadU(d, boxes.high[2] + at), low_2));
-        const auto overlap = hn::And(begins, hn::And(on_1, on_2));
-        if (!hn::AllFalse(d, overlap)) {
-            const auto positions = hn::Iota(du, at);
-            count += static_cast<std::uint32_t>(
-                hn::CompressStore(positions, hn::RebindMask(du, overlap), du, found + count));
-        }
-    }
-    return count;
-}
-
-} // namespace HWY_NAMESPACE
-} // namespace cd
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
 namespace cd {
 
 namespace {
 
-HWY_EXPORT(overlaps_behind);
+using Axes = std::array<std::size_t, 3>;
+using Indices = std::vector<std::uint32_t>;
 
-/// Returns the axis on which a box overlaps the smallest part of the others: the sum of the sizes
-/// by the range of the boxes is least.
-std::size_t sweep_axis(std::span<const WorldBox> boxes) {
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double size = 0;
-        double low = std::numeric_limits<double>::infinity();
-        double high = -std::numeric_limits<double>::infinity();
-        for (const WorldBox& box : boxes) {
-            size += double{box.high[axis]} - double{box.low[axis]};
-            low = std::min(low, double{box.low[axis]});
-            high = std::max(high, double{box.high[axis]});
+constexpr std::size_t strip_count = 8;
+
+/// Some boxes, spread over all.
+class BoxSample {
+  public:
+    explicit BoxSample(std::span<const WorldBox> boxes)
+        : count_(std::min(boxes.size(), std::clamp(boxes.size() / 32, count_min, count_max))) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            boxes_[i] = boxes[i * boxes.size() / count_];
         }
-        const double part = size / (high - low);
-        if (part < least) {
-            least = part;
-            best = axis;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            overlaps_[axis] = count_overlaps(axis);
         }
     }
-    return best;
-}
+
+    /// Returns the axes, that on which the fewest pairs overlap first.
+    [[nodiscard]] Axes axes() const {
+        Axes axes{0, 1, 2};
+        std::ranges::stable_sort(axes, {}, [&](std::size_t axis) { return overlaps_[axis]; });
+        return axes;
+    }
+    /// Returns the part of pairs that overlap on an axis. There are at least two boxes.
+    [[nodiscard]] double part(std::size_t axis) const {
+        return 2.0 * overlaps_[axis] / static_cast<double>(count_ * (count_ - 1));
+    }
+    /// Returns `parts` - 1 numbers, ascending, between which there are equally many low ends.
+    [[nodiscard]] std::vector<float> quantiles(std::size_t axis, std::size_t parts) const {
+        std::array<float, count_max> low{};
+        for (std::size_t i = 0; i < count_; ++i) {
+            low[i] = boxes_[i].low[axis];
+        }
+        std::ranges::sort(std::span(low).first(count_));
+        std::vector<float> quantiles;
+        for (std::size_t part = 1; part < parts; ++part) {
+            quantiles.push_back(low[part * count_ / parts]);
+        }
+        return quantiles;
+    }
+
+  private:
+    static constexpr std::size_t count_min = 16;
+    static constexpr std::size_t count_max = 64;
+
+    [[nodiscard]] std::uint32_t count_overlaps(std::size_t axis) const {
+        std::uint32_t overlaps = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                overlaps +=
+                    static_cast<std::uint32_t>(boxes_[k].low[axis] <= boxes_[i].high[axis]) &
+                    static_cast<std::uint32_t>(boxes_[i].low[axis] <= boxes_[k].high[axis]);
+            }
+        }
+        return overlaps;
+    }
+
+    std::size_t count_;
+    std::array<WorldBox, count_max> boxes_;
+    std::array<std::uint32_t, 3> overlaps_{};
+};
 
 /// Returns a number that orders as the float does.
 std::uint32_t ordered(float value) {
@@ -114,75 +83,139 @@ std::uint32_t ordered(float value) {
 }
 
 /// Returns the boxes' indices by ascending low end.
-std::vector<std::uint32_t> sorted_by_low(std::span<const WorldBox> boxes, std::size_t axis) {
+Indices sorted_by_low(std::span<const WorldBox> boxes, std::size_t axis) {
     std::vector<std::uint64_t> keys(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         // Adding 0 makes -0 and 0 one key.
         keys[i] = std::uint64_t{ordered(boxes[i].low[axis] + 0.0f)} << 32 | i;
     }
     NumberSorter().sort(keys);
-    std::vector<std::uint32_t> order(boxes.size());
+    Indices order(boxes.size());
     std::ranges::transform(
         keys, order.begin(), [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
     return order;
 }
 
-/// The boxes in the order of the sweep.
-class SortedBoxes {
-  public:
-    SortedBoxes(std::span<const WorldBox> boxes, std::size_t axis)
-        : order_(sorted_by_low(boxes, axis)) {
-        const std::size_t size = boxes.size() + sweep_padding;
-        for (std::size_t k = 0; k < 3; ++k) {
-            low_[k].assign(size, std::numeric_limits<float>::quiet_NaN());
-            high_[k].assign(size, std::numeric_limits<float>::quiet_NaN());
-            for (std::size_t i = 0; i < order_.size(); ++i) {
-                low_[k][i] = boxes[order_[i]].low[(axis + k) % 3];
-                high_[k][i] = boxes[order_[i]].high[(axis + k) % 3];
-            }
+/// Boxes that begin in a strip of the second axis, and those that reach into it from an earlier
+/// one.
+struct Strip {
+    Indices begin;
+    Indices reach;
+};
+
+/// Returns the strips that `ends` divide an axis into, with the boxes in the given order.
+///
+/// Two boxes that overlap on the axis are both in the strip where the later one begins. In any
+/// other strip one of them is missing, or both only reach into it. So each pair is found once among
+/// those that have a box which begins in the strip.
+std::vector<Strip> make_strips(std::span<const WorldBox> boxes,
+                               std::span<const std::uint32_t> order,
+                               std::size_t axis,
+                               std::span<const float> ends) {
+    const auto strip_of = [&](float value) {
+        std::size_t strip = 0;
+        for (const float end : ends) {
+            strip += end <= value ? 1 : 0;
+        }
+        return strip;
+    };
+    std::vector<Strip> strips(ends.size() + 1);
+    for (Strip& strip : strips) {
+        strip.begin.reserve(2 * order.size() / strips.size());
+        strip.reach.reserve(2 * order.size() / strips.size());
+    }
+    for (const std::uint32_t body : order) {
+        const std::size_t first = strip_of(boxes[body].low[axis]);
+        const std::size_t last = strip_of(boxes[body].high[axis]);
+        strips[first].begin.push_back(body);
+        for (std::size_t next = first + 1; next <= last; ++next) {
+            strips[next].reach.push_back(body);
         }
     }
+    return strips;
+}
 
-    [[nodiscard]] SweepColumns columns() const {
-        return {{low_[0].data(), low_[1].data(), low_[2].data()},
-                {high_[0].data(), high_[1].data(), high_[2].data()},
-                static_cast<std::uint32_t>(order_.size())};
-    }
-    /// Returns a key that sorts as the pair does.
-    [[nodiscard]] std::uint64_t pair_key(std::uint32_t one, std::uint32_t other) const {
-        const auto [a, b] = std::minmax(order_[one], order_[other]);
-        return std::uint64_t{a} << 32 | b;
-    }
+/// Returns true if a box meets so many others on the first axis that comparing it with those of
+/// two or three strips saves more than the strips cost.
+bool are_strips_worth_it(const BoxSample& sample, const Axes& axes, std::size_t boxes) {
+    constexpr double met_min = 500;
+    constexpr double part_max = 0.3; // Most boxes reach into several strips above it.
+    return sample.part(axes[0]) * static_cast<double>(boxes) > met_min &&
+           sample.part(axes[1]) < part_max;
+}
 
-  private:
-    std::vector<std::uint32_t> order_;
-    std::array<std::vector<float>, 3> low_;
-    std::array<std::vector<float>, 3> high_;
-};
+/// Adds the pairs of all boxes.
+void add_all_pairs(std::span<const WorldBox> boxes,
+                   std::span<const std::uint32_t> order,
+                   const BoxSample& sample,
+                   PairCollector& pairs) {
+    const Axes axes = sample.axes();
+    if (!are_strips_worth_it(sample, axes, boxes.size())) {
+        pairs.add_within(SortedBoxes(boxes, order, axes));
+        return;
+    }
+    for (const Strip& strip :
+         make_strips(boxes, order, axes[1], sample.quantiles(axes[1], strip_count))) {
+        const SortedBoxes begin(boxes, strip.begin, axes);
+        pairs.add_within(begin);
+        pairs.add_between(begin, SortedBoxes(boxes, strip.reach, axes));
+    }
+}
+
+/// Adds the pairs that have a box which moves.
+void add_moving_pairs(std::span<const WorldBox> boxes,
+                      std::span<const std::uint8_t> is_fixed,
+                      std::span<const std::uint32_t> order,
+                      const Axes& axes,
+                      PairCollector& pairs) {
+    Indices moving;
+    Indices fixed;
+    for (const std::uint32_t body : order) {
+        (is_fixed[body] != 0 ? fixed : moving).push_back(body);
+    }
+    const SortedBoxes of_moving(boxes, moving, axes);
+    pairs.add_within(of_moving);
+    pairs.add_between(of_moving, SortedBoxes(boxes, fixed, axes));
+}
+
+/// Returns the keys of the pairs that overlap, in no order.
+std::vector<std::uint32_t> overlapping_keys(std::span<const WorldBox> boxes,
+                                            std::span<const std::uint8_t> is_fixed) {
+    const BoxSample sample(boxes);
+    const Axes axes = sample.axes();
+    const Indices order = sorted_by_low(boxes, axes[0]);
+    const auto fixed = static_cast<std::size_t>(std::ranges::count_if(is_fixed, std::identity()));
+    PairCollector pairs;
+    if (fixed > boxes.size() / 4 * 3) {
+        add_moving_pairs(boxes, is_fixed, order, axes, pairs);
+        return pairs.take();
+    }
+    add_all_pairs(boxes, order, sample, pairs);
+    std::vector<std::uint32_t> keys = pairs.take();
+    if (fixed > 1) {
+        std::erase_if(keys, [&](std::uint32_t key) {
+            return is_fixed[key >> 16] != 0 && is_fixed[key & 0xFFFFu] != 0;
+        });
+    }
+    return keys;
+}
 
 } // namespace
 
-std::vector<BodyPair> overlapping_pairs(std::span<const WorldBox> boxes) {
+std::vector<BodyPair> overlapping_pairs(std::span<const WorldBox> boxes,
+                                        std::span<const std::uint8_t> is_fixed) {
+    CD_CHECK(boxes.size() <= boxes_max);
+    CD_CHECK(is_fixed.empty() || is_fixed.size() == boxes.size());
     if (boxes.size() < 2) {
         return {};
     }
-    const SortedBoxes sorted(boxes, sweep_axis(boxes));
-    const SweepColumns columns = sorted.columns();
-    std::vector<std::uint32_t> found(boxes.size() + sweep_padding);
-    std::vector<std::uint64_t> keys;
-    for (std::uint32_t i = 0; i + 1 < columns.count; ++i) {
-        const std::uint32_t count = HWY_DYNAMIC_DISPATCH(overlaps_behind)(columns, i, found.data());
-        for (std::uint32_t k = 0; k < count; ++k) {
-            keys.push_back(sorted.pair_key(i, found[k]));
-        }
-    }
+    std::vector<std::uint32_t> keys = overlapping_keys(boxes, is_fixed);
     NumberSorter().sort(keys);
     std::vector<BodyPair> pairs(keys.size());
-    std::ranges::transform(keys, pairs.begin(), [](std::uint64_t key) {
-        return BodyPair{static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
+    std::ranges::transform(keys, pairs.begin(), [](std::uint32_t key) {
+        return BodyPair{key >> 16, key & 0xFFFFu};
     });
     return pairs;
 }
 
 } // namespace cd
-#endif

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 
 #include <bit>
+#include <numeric>
 
 namespace cd {
 
@@ -19,7 +20,8 @@ std::uint64_t bit_of(std::uint32_t body) {
 PairSet::PairSet(std::size_t bodies)
     : bodies_(bodies),
       row_words_((bodies + word_bits - 1) / word_bits),
-      bits_(bodies * row_words_, 0) {}
+      bits_(bodies * row_words_, 0),
+      partners_(bodies, 0) {}
 
 const std::uint64_t* PairSet::row(std::uint32_t body) const {
     CD_CHECK(body < bodies_);
@@ -27,28 +29,55 @@ const std::uint64_t* PairSet::row(std::uint32_t body) const {
 }
 
 bool PairSet::has(BodyPair pair) const {
+    CD_CHECK(pair.a < bodies_);
     CD_CHECK(pair.b < bodies_);
-    return (row(pair.a)[pair.b / word_bits] & bit_of(pair.b)) != 0;
+    return partners_[pair.a] != 0 && (row(pair.a)[pair.b / word_bits] & bit_of(pair.b)) != 0;
 }
 
 std::uint64_t PairSet::count() const {
-    std::uint64_t bits = 0;
-    for (const std::uint64_t word : bits_) {
-        bits += static_cast<std::uint64_t>(std::popcount(word));
-    }
-    return bits / 2;
+    return std::accumulate(partners_.begin(), partners_.end(), std::uint64_t{0}) / 2;
 }
 
 std::uint64_t PairSet::count_among(std::span<const std::uint32_t> bodies) const {
-    const Words columns = bits_of(bodies);
-    std::uint64_t bits = 0;
-    for (const std::uint32_t body : bodies) {
-        const std::uint64_t* const words = row(body);
-        for (std::size_t i = 0; i < row_words_; ++i) {
-            bits += static_cast<std::uint64_t>(std::popcount(words[i] & columns[i]));
+    if (bodies.size() <= bodies_ / 2) {
+        return ends_among(bodies) / 2;
+    }
+    // Pairs of one of the others are taken away; those of two others twice, so they are added once.
+    const std::vector<std::uint32_t> others = all_but(bodies);
+    return count() + ends_among(others) / 2 - ends_at(others);
+}
+
+std::vector<std::uint32_t> PairSet::all_but(std::span<const std::uint32_t> bodies) const {
+    const Words taken = bits_of(bodies);
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t body = 0; body < bodies_; ++body) {
+        if ((taken[body / word_bits] & bit_of(body)) == 0) {
+            others.push_back(body);
         }
     }
-    return bits / 2;
+    return others;
+}
+
+/// Counts, for each body, the pairs that have it.
+std::uint64_t PairSet::ends_at(std::span<const std::uint32_t> bodies) const {
+    std::uint64_t ends = 0;
+    for (const std::uint32_t body : bodies) {
+        ends += partners_[body];
+    }
+    return ends;
+}
+
+/// Counts, for each body, the pairs of it and another of the bodies.
+std::uint64_t PairSet::ends_among(std::span<const std::uint32_t> bodies) const {
+    const Words columns = bits_of(bodies);
+    std::uint64_t ends = 0;
+    for (const std::uint32_t body : bodies) {
+        const std::uint64_t* const words = row(body);
+        for (std::size_t i = 0; i < row_words_ && partners_[body] != 0; ++i) {
+            ends += static_cast<std::uint64_t>(std::popcount(words[i] & columns[i]));
+        }
+    }
+    return ends;
 }
 
 std::uint64_t PairSet::add(std::span<const std::uint32_t> left,
@@ -64,8 +93,11 @@ std::uint64_t PairSet::add_except(std::span<const std::uint32_t> left,
 }
 
 void PairSet::remove(BodyPair pair) {
-    CD_CHECK(pair.a < bodies_);
-    CD_CHECK(pair.b < bodies_);
+    if (!has(pair)) {
+        return;
+    }
+    --partners_[pair.a];
+    --partners_[pair.b];
     bits_[pair.a * row_words_ + pair.b / word_bits] &= ~bit_of(pair.b);
     bits_[pair.b * row_words_ + pair.a / word_bits] &= ~bit_of(pair.a);
 }
@@ -92,6 +124,7 @@ std::uint64_t PairSet::add_to_rows(std::span<const std::uint32_t> rows,
             wanted &= i == body / word_bits ? ~bit_of(body) : ~std::uint64_t{0};
             wanted &= except != nullptr ? ~except->row(body)[i] : ~std::uint64_t{0};
             words[i] |= wanted;
+            partners_[body] += static_cast<std::uint32_t>(std::popcount(wanted));
             added += static_cast<std::uint64_t>(std::popcount(wanted));
         }
     }

@@ -11,7 +11,8 @@
 namespace cd {
 
 /// A set of pairs of different bodies, without order: (a, b) is (b, a). Memory: a bit for each
-/// ordered pair, 32 MiB for 16,384 bodies.
+/// ordered pair, 32 MiB for 16,384 bodies. Questions about bodies that are in no pair look at no
+/// bits.
 class PairSet {
   public:
     /// Makes an empty set of pairs of the bodies 0 to `bodies` - 1.
@@ -21,7 +22,9 @@ class PairSet {
     [[nodiscard]] bool has(BodyPair pair) const;
     /// Returns the number of pairs in the set.
     [[nodiscard]] std::uint64_t count() const;
-    /// Returns the number of pairs in the set whose bodies are both in `bodies`.
+    /// Returns the number of pairs in the set whose bodies are both in `bodies`, which has each
+    /// once. The time is that of reading the rows of these bodies or of all others, whichever are
+    /// fewer.
     [[nodiscard]] std::uint64_t count_among(std::span<const std::uint32_t> bodies) const;
 
     /// Adds all pairs of a body in `left` with another in `right`. Returns how many are new.
@@ -43,6 +46,9 @@ class PairSet {
 
     [[nodiscard]] Words bits_of(std::span<const std::uint32_t> bodies) const;
     [[nodiscard]] const std::uint64_t* row(std::uint32_t body) const;
+    [[nodiscard]] std::vector<std::uint32_t> all_but(std::span<const std::uint32_t> bodies) const;
+    [[nodiscard]] std::uint64_t ends_at(std::span<const std::uint32_t> bodies) const;
+    [[nodiscard]] std::uint64_t ends_among(std::span<const std::uint32_t> bodies) const;
     std::uint64_t
     add_to_rows(std::span<const std::uint32_t> rows, const Words& columns, const PairSet* except);
     std::uint64_t add_pairs(std::span<const std::uint32_t> left,
@@ -52,6 +58,7 @@ class PairSet {
     std::size_t bodies_;
     std::size_t row_words_;
     Words bits_; ///< A row of `row_words_` for each body. The matrix is symmetric.
+    std::vector<std::uint32_t> partners_; ///< Number of bits in each row.
 };
 
 } // namespace cd

@@ -7,7 +7,7 @@
 #include "common/motion/motion.hpp"
 #include "common/scene/scene_keys.hpp"
 #include "common/scene/swept_box.hpp"
-#include "common/scene/world_box.hpp"
+#include "common/scene/world_boxes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -166,39 +166,43 @@ Result<ScenePoses::Step> ScenePoses::read_step(std::uint64_t number) {
     return step;
 }
 
-Result<WorldBox> ScenePoses::box_of(const Step& step, std::uint32_t body) const {
+Result<std::vector<WorldBox>> ScenePoses::boxes_of(const Step& step,
+                                                   std::span<const std::uint32_t> bodies) const {
     // Of two points within reach, the middle is at most half the reach away from both. Halving
     // rounds only numbers far below the bounds of rounding errors in the box.
     const double margin = 0.5 * scene_.reach;
-    const PlacedBody& placed = scene_.bodies[body];
     if (step.to.empty()) {
-        return world_box(placed.box, *step.poses[body], margin);
+        WorldBoxes boxes(bodies.size());
+        for (const std::uint32_t body : bodies) {
+            boxes.add(scene_.bodies[body].box, *step.poses[body], margin);
+        }
+        return boxes.take();
     }
-    const BodyPath path = CD_TRY(path_between(*step.poses[body], *step.to[body]));
-    return swept_box({placed.box, placed.radius, path}, margin);
+    std::vector<WorldBox> boxes;
+    boxes.reserve(bodies.size());
+    for (const std::uint32_t body : bodies) {
+        const PlacedBody& placed = scene_.bodies[body];
+        const BodyPath path = CD_TRY(path_between(*step.poses[body], *step.to[body]));
+        boxes.push_back(swept_box({placed.box, placed.radius, path}, margin));
+    }
+    return boxes;
 }
 
 Result<std::vector<BodyPair>> ScenePoses::pairs_of(const Step& step) const {
     const std::vector<std::uint32_t> present = present_bodies(step.poses);
-    std::vector<WorldBox> boxes;
-    boxes.reserve(present.size());
-    for (const std::uint32_t body : present) {
-        boxes.push_back(CD_TRY(box_of(step, body)));
+    const std::vector<WorldBox> boxes = CD_TRY(boxes_of(step, present));
+    std::vector<std::uint8_t> is_settled; // Step 0 tests the pairs of fixed bodies for all steps.
+    for (std::size_t i = 0; i < present.size() && step.number > 0; ++i) {
+        is_settled.push_back(scene_.bodies[present[i]].is_fixed ? 1 : 0);
     }
     std::vector<BodyPair> pairs;
-    for (const BodyPair found : overlapping_pairs(boxes)) {
+    for (const BodyPair found : overlapping_pairs(boxes, is_settled)) {
         const BodyPair pair{present[found.a], present[found.b]};
-        if (is_tested(step.number, pair)) {
+        if (!scene_.ignored.has(pair)) {
             pairs.push_back(pair);
         }
     }
     return pairs;
-}
-
-bool ScenePoses::is_tested(std::uint64_t step, BodyPair pair) const {
-    const bool is_settled =
-        step > 0 && scene_.bodies[pair.a].is_fixed && scene_.bodies[pair.b].is_fixed;
-    return !is_settled && !scene_.ignored.has(pair);
 }
 
 Scenario ScenePoses::scenario_of(const Step& step, std::uint64_t index) const {

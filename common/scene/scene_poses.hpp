@@ -75,10 +75,10 @@ class ScenePoses final : public PoseSource {
     [[nodiscard]] Status check_motions(const Step& step) const;
     [[nodiscard]] StepCoverage covered_by(const Step& step) const;
     [[nodiscard]] Result<Step> read_step(std::uint64_t number);
-    [[nodiscard]] Result<WorldBox> box_of(const Step& step, std::uint32_t body) const;
+    [[nodiscard]] Result<std::vector<WorldBox>>
+    boxes_of(const Step& step, std::span<const std::uint32_t> bodies) const;
     [[nodiscard]] Result<std::vector<BodyPair>> pairs_of(const Step& step) const;
     [[nodiscard]] Scenario scenario_of(const Step& step, std::uint64_t index) const;
-    [[nodiscard]] bool is_tested(std::uint64_t step, BodyPair pair) const;
 
     Scene scene_;
     std::unique_ptr<StepPoses> poses_;

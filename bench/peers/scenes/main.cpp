@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
     cd::bench::Options options;
     CLI::App app("Compares the broad phase of scenes with that of others");
     app.add_option("--out", options.out, "Folder for the CSV files");
-    app.add_option("--bodies", options.bodies, "Numbers of bodies")->check(CLI::Range(2, 100000));
+    app.add_option("--bodies", options.bodies, "Numbers of bodies")->check(CLI::Range(2, 65536));
     app.add_option("--steps", options.steps, "Steps of a scene")->check(CLI::Range(1, 1000));
     app.add_option("--rounds", options.contest.rounds, "Rounds, of which the median is taken")
         ->check(CLI::Range(1, 100));

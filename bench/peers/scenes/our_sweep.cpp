@@ -1,4 +1,5 @@
 #include "bench/peers/scenes/sweep_engine.hpp"
+#include "common/scene/world_boxes.hpp"
 
 namespace cd::bench {
 
@@ -7,22 +8,19 @@ namespace {
 /// What a job of a scene does at each step.
 class OurSweep final : public BroadPhase {
   public:
-    void load(const CrowdScene& scene) override {
-        bodies_ = &scene.boxes;
-        boxes_.resize(scene.boxes.size());
-    }
+    void load(const CrowdScene& scene) override { bodies_ = &scene.boxes; }
 
     const std::vector<BodyPair>& step(const std::vector<Pose>& poses) override {
-        for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            boxes_[i] = world_box((*bodies_)[i].box, poses[i]);
+        WorldBoxes boxes(poses.size());
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            boxes.add((*bodies_)[i].box, poses[i]);
         }
-        pairs_ = overlapping_pairs(boxes_);
+        pairs_ = overlapping_pairs(boxes.take());
         return pairs_;
     }
 
   private:
     const std::vector<PosedBox>* bodies_ = nullptr;
-    std::vector<WorldBox> boxes_;
     std::vector<BodyPair> pairs_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "common/scene/box_sweep.hpp"
 
+#include "tests/common/scene/box_pairs.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -17,28 +18,9 @@ namespace cd::tests {
 
 namespace {
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
 using BoxMaker = std::function<WorldBox(std::mt19937_64&)>;
-
-bool overlap(const WorldBox& a, const WorldBox& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
-std::vector<BodyPair> all_overlaps(std::span<const WorldBox> boxes) {
-    std::vector<BodyPair> pairs;
-    for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-        for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
-            if (overlap(boxes[a], boxes[b])) {
-                pairs.push_back({a, b});
-            }
-        }
-    }
-    return pairs;
-}
 
 WorldBox box_around(const Vec3& middle, const Vec3& half) {
     WorldBox box;
@@ -72,15 +54,39 @@ std::map<std::string, BoxMaker> box_makers() {
              const double size = std::exp2(uniform(random, -10, 3));
              return box_around(random_point(random, 8), random_point(random, size));
          }},
+        {"flat, on one plane or two",
+         [](std::mt19937_64& random) {
+             const Vec3 place(uniform(random, -9, 9), uniform(random, -9, 9), random() % 2);
+             return box_around(place, Vec3(1, 1, 0));
+         }},
+        {"far from the origin, and as large as the steps of floats there",
+         [](std::mt19937_64& random) {
+             const Vec3 place(uniform(random, 3e6, 3e6 + 4), uniform(random, -5e6, -5e6 + 4), 100);
+             return box_around(place, random_point(random, 0.5));
+         }},
+        {"nested",
+         [](std::mt19937_64& random) {
+             return box_around(Vec3::Constant(7),
+                               Vec3::Constant(std::exp2(uniform(random, -20, 20))));
+         }},
+        {"all equal", [](std::mt19937_64&) { return box_around(Vec3(1, 2, 3), Vec3(4, 5, 6)); }},
+        {"touching by a step of floats, or not",
+         [](std::mt19937_64& random) {
+             WorldBox box =
+                 box_around(random_point(random, 2).array().round(), Vec3::Constant(0.5));
+             float& end = random() % 2 == 0 ? box.low.at(random() % 3) : box.high.at(random() % 3);
+             end = std::nextafter(end, random() % 2 == 0 ? -infinity : infinity);
+             return box;
+         }},
         {"all in one place",
          [](std::mt19937_64& random) { return box_around(Vec3::Zero(), random_point(random, 1)); }},
         {"some infinite", [](std::mt19937_64& random) {
              WorldBox box = box_around(random_point(random, 5), Vec3::Constant(0.5));
              if (random() % 4 == 0) {
-                 box.low.at(random() % 3) = -std::numeric_limits<float>::infinity();
+                 box.low.at(random() % 3) = -infinity;
              }
              if (random() % 4 == 0) {
-                 box.high.at(random() % 3) = std::numeric_limits<float>::infinity();
+                 box.high.at(random() % 3) = infinity;
              }
              return box;
          }}};
@@ -105,6 +111,48 @@ TEST(BoxSweep, FindsThePairsThatOverlapAndNoOthers) {
         }
     });
     EXPECT_GT(pairs, 10000u);
+}
+
+TEST(BoxSweep, LeavesOutThePairsOfTwoFixedBoxesAndNoOthers) {
+    std::size_t pairs = 0;
+    on_every_target([&](SimdTarget) {
+        for (const auto& [name, make] : box_makers()) {
+            SCOPED_TRACE(name);
+            for (SeededRandom random : seeds(raised(20))) {
+                std::vector<WorldBox> boxes(random() % 90);
+                std::vector<std::uint8_t> is_fixed;
+                const std::uint64_t movers = 1 + random() % 9; // One box of so many moves.
+                for (WorldBox& box : boxes) {
+                    box = make(random);
+                    is_fixed.push_back(random() % movers == 0 ? 0 : 1);
+                }
+                std::vector<BodyPair> truth = all_overlaps(boxes);
+                std::erase_if(truth, [&](BodyPair pair) {
+                    return is_fixed[pair.a] != 0 && is_fixed[pair.b] != 0;
+                });
+                EXPECT_EQ(overlapping_pairs(boxes, is_fixed), truth);
+                pairs += truth.size();
+            }
+        }
+    });
+    EXPECT_GT(pairs, 10000u);
+}
+
+TEST(BoxSweep, DividesManyBoxesIntoStripsAndLosesNone) {
+    // On each axis a box overlaps a fifth of the others, but for those that reach through all.
+    std::vector<std::vector<WorldBox>> crowds;
+    for (SeededRandom random : seeds(raised(2))) {
+        std::vector<WorldBox>& boxes = crowds.emplace_back();
+        for (int i = 0; i < 3000; ++i) {
+            boxes.push_back(box_around(random_point(random, 5), random_point(random, 1.1)));
+            boxes.back().high.at(random() % 3) += random() % 100 == 0 ? infinity : 0;
+        }
+    }
+    for (const std::vector<WorldBox>& boxes : crowds) {
+        const std::vector<BodyPair> truth = all_overlaps(boxes);
+        EXPECT_GT(truth.size(), 10000u);
+        on_every_target([&](SimdTarget) { EXPECT_EQ(overlapping_pairs(boxes), truth); });
+    }
 }
 
 TEST(BoxSweep, TakesTheAxisOnWhichFewBoxesOverlap) {

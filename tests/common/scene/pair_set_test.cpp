@@ -105,19 +105,32 @@ TEST(PairSet, AddsNoPairThatIsExcepted) {
     }
 }
 
-TEST(PairSet, CountsThePairsAmongSomeBodies) {
-    for (SeededRandom random : seeds(15)) {
+TEST(PairSet, CountsThePairsAmongFewAndAmongMostBodies) {
+    for (SeededRandom random : seeds(raised(40))) {
         const std::size_t bodies = 1 + random() % 100;
         const Bodies left = some_of(random, bodies);
         const Bodies right = some_of(random, bodies);
-        const Bodies among = some_of(random, bodies);
         PairSet set(bodies);
         set.add(left, right);
-        const auto expected = std::ranges::count_if(pairs_between(left, right), [&](BodyPair pair) {
-            return std::ranges::binary_search(among, pair.a) &&
-                   std::ranges::binary_search(among, pair.b);
-        });
-        EXPECT_EQ(set.count_among(among), static_cast<std::uint64_t>(expected));
+        std::set<BodyPair> expected = pairs_between(left, right);
+        if (!expected.empty()) {
+            set.remove(*expected.begin());
+            expected.erase(expected.begin());
+        }
+        for (const std::uint32_t part : {2u, 10u}) {
+            Bodies few;
+            Bodies most;
+            for (std::uint32_t body = 0; body < bodies; ++body) {
+                (random() % part == 0 ? few : most).push_back(body);
+            }
+            for (const Bodies& among : {few, most}) {
+                const auto count = std::ranges::count_if(expected, [&](BodyPair pair) {
+                    return std::ranges::binary_search(among, pair.a) &&
+                           std::ranges::binary_search(among, pair.b);
+                });
+                EXPECT_EQ(set.count_among(among), static_cast<std::uint64_t>(count));
+            }
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include "common/scene/scene_poses.hpp"
 
 #include "common/search/brute_force.hpp"
+#include "tests/common/scene/box_pairs.hpp"
 #include "tests/common/scene/listed_steps.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
@@ -74,15 +75,6 @@ std::unique_ptr<ScenePoses> open(const RandomScene& scene) {
     auto made = ScenePoses::create(scene.scene(), std::make_unique<ListedSteps>(scene.steps));
     EXPECT_TRUE(made);
     return std::move(made.value());
-}
-
-bool overlap(const WorldBox& a, const WorldBox& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (a.high.at(i) < b.low.at(i) || b.high.at(i) < a.low.at(i)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /// What becomes of a pair at a step.
