@@ -136,9 +136,10 @@ class Master(PageTest):
         cluster.run("cdctl", "submit", self.scenes.root / "grid.toml", "--master", cluster.address)
         self.browser.open(f"{cluster.page}#/jobs/{cluster.job()}")
         facts = self.browser.wait("the job", lambda f: f["screen"] == "job" and f["ready"])
-        self.assertEqual(facts["done"], 0)
+        total = 21 * 17 * 3 * 3
+        self.assertLess(facts["done"], total, "of poses far apart the master needs no worker")
         cluster.add_worker("late")
-        self.browser.wait("the end", lambda f: f["done"] == 21 * 17 * 3 * 3)
+        self.browser.wait("the end", lambda f: f["done"] == total)
         self.browser.wait_text("digest")
         self.browser.wait_text("parts in contact")
 
