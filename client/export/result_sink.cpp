@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// Once the partial sum `waiting_` has this many bytes, it is added to the total `map_`.
+/// Once the partial sum `MapSum::waiting` has this many bytes, it is added to the total.
 constexpr std::uint64_t waiting_bytes_max = 1u << 20;
 
 /// Returns the file name of a format that has a single file.
@@ -59,9 +59,10 @@ ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
     : options_(std::move(options)),
       context_(context),
       groups_(meshes_of(context), part_kind(context.level)),
-      waiting_(context.listed.maps
-                   ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
-                   : nullptr) {}
+      map_{ContactMapSum(context.listed.maps
+                             ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
+                             : nullptr),
+           {}} {}
 
 Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
     ResultSink sink(std::move(options), context);
@@ -125,6 +126,30 @@ RunFindings ResultSink::findings() const {
             first_event_};
 }
 
+void ResultSink::MapSum::add_waiting_if_large() {
+    if (waiting.bytes() >= waiting_bytes_max) {
+        total.add(waiting.take());
+    }
+}
+
+ContactMap ResultSink::MapSum::map() {
+    total.add(waiting.take());
+    return total.map();
+}
+
+void ResultSink::add_to_maps(const ScenarioResult& result, std::span<const ContactPair> found) {
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
+    map_.waiting.add(result, found.empty() ? listed : found);
+    map_.add_waiting_if_large();
+    if (context_.tells_contacts()) {
+        std::vector<ContactPair> contacts = result.pairs;
+        std::erase_if(contacts, [](const ContactPair& p) { return p.kind == PairClass::Near; });
+        contacts_.waiting.add(contacts);
+        contacts_.add_waiting_if_large();
+    }
+}
+
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
     if (context_.stop && context_.stop()) {
         return interrupted();
@@ -142,13 +167,8 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     if (shots_) {
         shots_->add(result);
     }
-    const std::vector<ContactPair> crossings = crossings_of(result);
-    const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
     if (context_.map_use().has_map()) {
-        waiting_.add(result, found.empty() ? listed : found);
-    }
-    if (waiting_.bytes() >= waiting_bytes_max) {
-        map_.add(waiting_.take());
+        add_to_maps(result, found);
     }
     for (const auto& writer : writers_) {
         CD_TRY(writer->add(result));
@@ -163,7 +183,6 @@ std::optional<ContactMap> ResultSink::map() {
     if (!context_.map_use().has_map()) {
         return std::nullopt;
     }
-    map_.add(waiting_.take());
     return map_.map();
 }
 
@@ -171,10 +190,14 @@ bool ResultSink::has_format(std::string_view format) const {
     return std::ranges::find(options_.formats, format) != options_.formats.end();
 }
 
-Status ResultSink::write_map(const ContactMap& map) const {
-    CD_TRY(write_map_files(map, options_.dir, options_.formats, context_));
+Status ResultSink::write_map(const ContactMap& map) {
+    ExportMap exported{map};
+    if (context_.tells_contacts()) {
+        exported.contacts = contacts_.map();
+    }
+    CD_TRY(write_map_files(exported, options_.dir, options_.formats, context_));
     if (has_format("vtp")) {
-        CD_TRY(write_vtp_bodies(map, tested_, options_.dir, context_));
+        CD_TRY(write_vtp_bodies(exported, tested_, options_.dir, context_));
     }
     return has_format("glb") ? write_glb_bodies(map, tested_, options_.dir, context_)
                              : Status(Done{});

@@ -55,13 +55,23 @@ class ResultSink {
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
+    /// The sum of a contact map.
+    struct MapSum {
+        ContactMapSum waiting; ///< Sum over the latest results, not yet in `total`.
+        ContactMapTotal total;
+
+        void add_waiting_if_large();
+        [[nodiscard]] ContactMap map();
+    };
+
     [[nodiscard]] std::vector<TouchedPart> most_touched() const;
     ResultSink(SinkOptions options, const ExportContext& context);
 
     [[nodiscard]] Status add_writers();
     [[nodiscard]] Status add_shot_writers();
+    void add_to_maps(const ScenarioResult& result, std::span<const ContactPair> found);
     [[nodiscard]] bool has_format(std::string_view format) const;
-    [[nodiscard]] Status write_map(const ContactMap& map) const;
+    [[nodiscard]] Status write_map(const ContactMap& map);
     [[nodiscard]] GroupsOrigin groups_origin() const;
 
     SinkOptions options_;
@@ -69,8 +79,8 @@ class ResultSink {
     std::vector<std::unique_ptr<ResultWriter>> writers_;
     GroupSum groups_;
     std::uint64_t tested_ = 0; ///< Results added that are not failures.
-    ContactMapSum waiting_;    ///< Sum over the latest results, not yet in `map_`.
-    ContactMapTotal map_;
+    MapSum map_;
+    MapSum contacts_; ///< Of pairs in contact alone, if `ExportContext::tells_contacts`.
     std::optional<LeastDistance> least_;
     std::optional<FirstEvent> first_event_;
     std::optional<SceneLog> scene_; ///< Nothing for a job of two bodies.

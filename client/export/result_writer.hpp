@@ -66,6 +66,11 @@ struct ExportContext {
     [[nodiscard]] bool has_motions() const { return question == Question::Motion; }
     /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
     [[nodiscard]] std::uint64_t map_pairs() const { return listed.maps ? 0 : listed.limit_pairs; }
+    /// True if the results tell which of the scenarios of a contact map are contacts, and which are
+    /// near only: their lists have all pairs that the map counts.
+    [[nodiscard]] bool tells_contacts() const {
+        return clearance && level >= Level::Pairs && (listed.limit_pairs == 0 || map_pairs() != 0);
+    }
     /// True if results list the hits of lines.
     [[nodiscard]] bool has_hits() const {
         return question == Question::Shots && level >= Level::Pairs;
@@ -112,9 +117,18 @@ make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path&
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
 
-/// Writes NAME.vtp for each body: its mesh with the contact map. `tested` is the number of
-/// scenarios of which the map's numbers are shares. Errors: Io naming the file; Interrupted.
-[[nodiscard]] Status write_vtp_bodies(const ContactMap& map,
+/// A job's contact map, and what exports add to it.
+struct ExportMap {
+    const ContactMap& map;
+    /// The scenarios in contact alone, without near ones; nothing without a clearance, or if they
+    /// are unknown.
+    std::optional<ContactMap> contacts = std::nullopt;
+};
+
+/// Writes NAME.vtp for each body: its mesh with the contact map, and the cell array `in_contact`
+/// where contacts are known. `tested` is the number of scenarios of which the map's numbers are
+/// shares. Errors: Io naming the file; Interrupted.
+[[nodiscard]] Status write_vtp_bodies(const ExportMap& map,
                                       std::uint64_t tested,
                                       const std::filesystem::path& dir,
                                       const ExportContext& context);
@@ -135,11 +149,12 @@ make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
 
 /// Writes a job's contact map. Format csv gives map.csv with a row per triangle: the body's name,
 /// triangle, scenarios, part. Format npz gives map.npz with an array (K,2) named after each body:
-/// triangle, scenarios. If `formats` has neither, map.csv is written. Triangles ascend; a triangle
-/// without contact has no row. If the map counts only the first N pairs of each scenario, both
+/// triangle, scenarios. Where contacts are known, a column in_contact follows scenarios. If
+/// `formats` has neither, map.csv is written. Triangles ascend; a triangle that is never in contact
+/// nor near has no row. If the map counts only the first N pairs of each scenario, both
 /// files say so: the CSV's column is named scenarios_of_first_N_pairs, and the NPZ has an array
 /// first_pairs that holds N. Errors: Io naming the file.
-[[nodiscard]] Status write_map_files(const ContactMap& map,
+[[nodiscard]] Status write_map_files(const ExportMap& map,
                                      const std::filesystem::path& dir,
                                      const std::vector<std::string>& formats,
                                      const ExportContext& context);

@@ -98,17 +98,37 @@ class NoContacts final : public ResultWriter {
     Status finish() override { return Done{}; }
 };
 
+/// What the map says of each triangle of a body.
+struct BodyNumbers {
+    std::vector<std::uint64_t> scenarios;
+    std::optional<std::vector<std::uint64_t>> in_contact = std::nullopt;
+};
+
+Result<BodyNumbers> numbers_of(const ExportMap& map, std::size_t body, const Mesh& mesh) {
+    BodyNumbers numbers{CD_TRY(scenarios_of_triangles(map.map.bodies[body], mesh))};
+    if (map.contacts) {
+        numbers.in_contact = CD_TRY(scenarios_of_triangles(map.contacts->bodies[body], mesh));
+    }
+    return numbers;
+}
+
+VtpArray integers(const std::string& name, const std::vector<std::uint64_t>& values) {
+    return {name,
+            make_numbers<std::int64_t>(values.size(), [&](std::uint64_t i) { return values[i]; })};
+}
+
 Status write_body(const std::shared_ptr<const Mesh>& mesh,
-                  const std::vector<std::uint64_t>& scenarios,
+                  const BodyNumbers& numbers,
                   std::uint64_t tested,
                   const std::filesystem::path& path,
                   const ExportContext& context) {
     const bool is_float = mesh->precision() == Precision::Float;
+    const std::vector<std::uint64_t>& scenarios = numbers.scenarios;
     VtpData data = vtp_body(mesh, mesh->vertices(), is_float ? NpyType::F4 : NpyType::F8);
-    std::vector<VtpArray> map{{map_column_name(context),
-                               make_numbers<std::int64_t>(scenarios.size(), [&](std::uint64_t i) {
-                                   return scenarios[i];
-                               })}};
+    std::vector<VtpArray> map{integers(map_column_name(context), scenarios)};
+    if (numbers.in_contact) {
+        map.push_back(integers("in_contact", *numbers.in_contact));
+    }
     if (context.map_pairs() == 0) {
         const double all = tested == 0 ? 1 : static_cast<double>(tested);
         map.push_back(
@@ -141,15 +161,15 @@ Result<std::unique_ptr<ResultWriter>> make_vtp_writer(const ExportContext& conte
         std::make_unique<VtpContacts>(context, path, std::move(spools), std::move(line_ends)));
 }
 
-Status write_vtp_bodies(const ContactMap& map,
+Status write_vtp_bodies(const ExportMap& map,
                         std::uint64_t tested,
                         const std::filesystem::path& dir,
                         const ExportContext& context) {
-    for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+    for (std::size_t i = 0; i < map.map.bodies.size(); ++i) {
         const auto& mesh = context.bodies[i].mesh;
-        const auto scenarios = CD_TRY(scenarios_of_triangles(map.bodies[i], *mesh));
+        const BodyNumbers numbers = CD_TRY(numbers_of(map, i, *mesh));
         const std::string name = body_file_name(context.bodies, i) + ".vtp";
-        CD_TRY(write_body(mesh, scenarios, tested, dir / name, context));
+        CD_TRY(write_body(mesh, numbers, tested, dir / name, context));
     }
     return Done{};
 }

@@ -29,9 +29,16 @@ double distance(const Aabb& a, const Aabb& b) {
     return gap.stableNorm();
 }
 
-/// Formats a length, rounded down.
+/// Formats a length, rounded down. Below 1 it has two digits behind its zeros.
 std::string length_text(double length) {
-    return length < 100 ? fixed_text(std::floor(10 * length) / 10, 1)
+    constexpr int digits_max = 9;
+    int digits = 1;
+    double tens = 10;
+    while (digits < digits_max && tens * length < 10) {
+        ++digits;
+        tens *= 10;
+    }
+    return length < 100 ? fixed_text(std::floor(tens * length) / tens, digits)
                         : grouped(static_cast<std::uint64_t>(length));
 }
 

@@ -54,6 +54,10 @@ void FolderSource::job(const std::string& id, Take<JobView> take) {
     answer(id, std::move(take), [this] { return run_->view(origin_.job); });
 }
 
+void FolderSource::progress(const std::string& id, Take<JobRow> take) {
+    answer(id, std::move(take), [this] { return Result(run_->row(origin_.job)); });
+}
+
 void FolderSource::classes(const std::string& id,
                            const ScenarioChoice& choice,
                            Take<std::vector<std::uint8_t>> take) {

@@ -26,6 +26,7 @@ class FolderSource final : public PageSource {
     void history(Take<std::vector<HistorySample>> take) override;
     void jobs(Take<std::vector<JobRow>> take) override;
     void job(const std::string& id, Take<JobView> take) override;
+    void progress(const std::string& id, Take<JobRow> take) override;
     void classes(const std::string& id,
                  const ScenarioChoice& choice,
                  Take<std::vector<std::uint8_t>> take) override;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks all Markdown pages: how long they are, that their links lead to files, that their jobs are TOML, and
-that the page of the job file has every key that the parser knows.
+"""Checks all Markdown pages: how long they are, that their links lead to files, that their jobs are TOML, that
+the tests that they name exist, and that the page of the job file has every key that the parser knows.
 Usage: documents.py REPOSITORY"""
 import pathlib
 import re
@@ -66,6 +66,16 @@ def problems_of_page(root, name):
             yield f"{name}: a job in it is no TOML: {error}"
 
 
+def problems_of_named_tests(root, pages):
+    """Tests that a page names as `Suite.Name` exist."""
+    sources = [p.read_text(encoding="utf-8") for p in sorted((root / "tests").rglob("*_test.cpp"))]
+    known = {match for text in sources for match in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", text, re.MULTILINE)}
+    for name in pages:
+        for test in re.findall(r"`([A-Z]\w+)\.([A-Z]\w+)`", (root / name).read_text(encoding="utf-8")):
+            if test not in known:
+                yield f"{name}: names the test {'.'.join(test)}, which does not exist"
+
+
 def known_keys(root):
     """The keys of each table of a job file, as client/ reads them."""
     return [
@@ -94,6 +104,7 @@ def main():
     names = sorted(p.relative_to(root).as_posix() for p in root.rglob("*.md") if "node_modules" not in p.parts)
     pages = [name for name in names if not name.startswith(("build", "."))]
     found = [problem for name in pages for problem in problems_of_page(root, name)]
+    found += problems_of_named_tests(root, pages)
     found += problems_of_job_page(root)
     print("\n".join(found) or f"{len(pages)} pages obey the limits, and every key is explained")
     return 1 if found else 0

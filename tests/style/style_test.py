@@ -42,7 +42,8 @@ GOOD_PAGES = {
     "docs/job-file.md": "# Job file\n## The job\n| `name`, `unit` | text |\n### A body\n| `unit` | text |\n",
     "docs/job-keys.md": "# More keys\n",
     "ARCHITECTURE.md": "[All](docs/job-file.md)\n",
-    "CONTRIBUTING.md": "",
+    "CONTRIBUTING.md": "`Boxes.Touch` and `results.npz`\n",
+    "tests/common/tree/box_test.cpp": "TEST_P(Boxes, Touch) {}\n",
     "client/job.cpp": 'TomlFields job(table, "the job", problem, {"name", "unit"});\n'
                       'TomlFields fields(*table, "[a]", problem, {"unit"});\n',
 }
@@ -57,6 +58,7 @@ BAD_PAGES = {
     "a link to no file": {"docs/page.md": "[there](../docs/none.md)\n"},
     "a link to no file in ARCHITECTURE": {"ARCHITECTURE.md": "[there](none.md)\n"},
     "a link to no heading": {"README.md": "[there](docs/job-file.md#nothing)\n"},
+    "a test that does not exist": {"docs/page.md": "`Boxes.Part`\n"},
     "a job that is no TOML": {"docs/page.md": "```toml\nname = \n```\n"},
     "a long page of results": {"bench/peers/RESULTS.md": 61 * "A figure.\n"},
     "a wide line in a page outside docs": {"proto/NOTES.md": 101 * "x" + "\n"},

@@ -70,6 +70,16 @@ Json classes_json(const Summary& summary) {
             {"cut", summary.cut}};
 }
 
+/// Returns what changes of a job while it runs.
+Json progress_of(const JobRow& job) {
+    const JobStatus& status = job.status;
+    Json json = row_json(job);
+    json.update(classes_json(status.summary));
+    json["digest"] = status.digest ? Json(to_hex(*status.digest)) : Json();
+    json["paused"] = status.paused;
+    return json;
+}
+
 Json query_json(const Query& query) {
     return {{"level", to_text(query.level)},
             {"limit_pairs", query.limit_pairs},
@@ -258,16 +268,16 @@ std::string jobs_json(std::span<const JobRow> jobs) {
     return compact({{"jobs", std::move(rows)}});
 }
 
+std::string progress_json(const JobRow& job) {
+    return compact(progress_of(job));
+}
+
 std::string job_view_json(const JobView& job) {
-    const JobStatus& status = job.row.status;
-    Json json = row_json(job.row);
-    json.update(classes_json(status.summary));
+    Json json = progress_of(job.row);
     json.update(query_json(job.query));
     add_question(json, job.query);
     json.update(run_json(job.run));
     json["unit"] = job.unit;
-    json["digest"] = status.digest ? Json(to_hex(*status.digest)) : Json();
-    json["paused"] = status.paused;
     json["maps"] = job.map.exists;
     json["map_pairs"] = job.map.first_pairs;
     json["bodies"] = Json::array();

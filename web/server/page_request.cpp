@@ -193,6 +193,10 @@ Status parse_job(std::span<const std::string_view> path,
         request.topic = PageTopic::Job;
         return allow_only(parameters, {});
     }
+    if (path[0] == "progress" && path.size() == 1) {
+        request.topic = PageTopic::Progress;
+        return allow_only(parameters, {});
+    }
     if (path[0] == "scenarios") {
         return parse_scenario(path.subspan(1), parameters, request);
     }

@@ -19,6 +19,7 @@ enum class PageTopic : std::uint8_t {
     History,
     Jobs,
     Job,
+    Progress,
     Classes,
     Counts,
     Distances,

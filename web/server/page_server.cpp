@@ -226,6 +226,8 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
         return source_.jobs(answering<std::vector<JobRow>>(respond, json(jobs_json)));
     case PageTopic::Job:
         return source_.job(request.job, answering<JobView>(respond, json(job_view_json)));
+    case PageTopic::Progress:
+        return source_.progress(request.job, answering<JobRow>(respond, json(progress_json)));
     case PageTopic::Classes:
         return source_.classes(request.job,
                                request.choice,

@@ -35,6 +35,8 @@ class PageSource {
     virtual void history(Take<std::vector<HistorySample>> take) = 0;
     virtual void jobs(Take<std::vector<JobRow>> take) = 0;
     virtual void job(const std::string& id, Take<JobView> take) = 0;
+    /// Tells how far a job is. Reads neither its description nor its bodies.
+    virtual void progress(const std::string& id, Take<JobRow> take) = 0;
     /// Each scenario's `ScenarioClass`, or `no_class`.
     virtual void classes(const std::string& id,
                          const ScenarioChoice& choice,

@@ -294,6 +294,9 @@ TEST_F(Run, PosesInAnotherUnitAreSuspected) {
     command_.job.poses.unit = "";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("no pose brings B within 8.0 m of A (A is 6.0 m long)\n"));
+    write("poses.csv", "x,y,z\n0,0,1.0625\n");
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("no pose brings B within 0.062 m of A (A is 6.0 m long)\n"));
 }
 
 TEST_F(Run, EveryFirstStageHasTheSameDigest) {

@@ -31,14 +31,17 @@ class NearExport : public testing::Test {
         context_.clearance = 0.25;
     }
 
-    void write(const std::vector<std::string>& formats, Level level) {
+    void write(const std::vector<std::string>& formats, Level level, bool has_map = false) {
         context_.level = level;
         auto files = ResultSink::open({dir_, formats}, context_);
         ASSERT_TRUE(files) << files.error().detail;
         for (const ScenarioResult& result : near_results(level)) {
             ASSERT_TRUE(files.value().add(result));
         }
-        ASSERT_TRUE(files.value().finish(std::nullopt));
+        ASSERT_TRUE(files.value().finish(has_map ? files.value().map() : std::nullopt));
+    }
+    void write_map(const std::vector<std::string>& formats, Level level) {
+        write(formats, level, true);
     }
 
     [[nodiscard]] std::string text_of(const std::string& name) const {
@@ -164,6 +167,39 @@ TEST_F(NearExport, VtpHasALineForEachNearPair) {
     EXPECT_THAT(contacts.arrays.at("Lines.offsets").as<std::int64_t>(), ElementsAre(2, 4, 6));
 }
 
+TEST_F(NearExport, MapsTellContactsFromNearTriangles) {
+    write_map({"csv", "npz", "vtp"}, Level::Pairs);
+    EXPECT_EQ(text_of("map.csv"),
+              "body,triangle,scenarios,in_contact,part\n"
+              "a,0,2,1,\n"
+              "a,7,1,0,\n"
+              "b,2,1,0,\n"
+              "b,4,1,1,\n"
+              "b,5,2,0,\n");
+    const auto read = read_npz(dir_ / "map.npz");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().at("b").shape, (std::vector<std::uint64_t>{3, 3}));
+    EXPECT_THAT(read.value().at("b").to_integers().value(), ElementsAre(2, 1, 0, 4, 1, 1, 5, 2, 0));
+    EXPECT_THAT(read_vtp(dir_ / "a.vtp").arrays.at("in_contact").as<std::int64_t>(),
+                ElementsAre(1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
+}
+
+TEST_F(NearExport, MapsOfListedPairsTellThoseInContact) {
+    context_.listed.limit_pairs = 2;
+    write_map({"csv"}, Level::Pairs);
+    EXPECT_THAT(text_of("map.csv"),
+                HasSubstr("body,triangle,scenarios_of_first_2_pairs,in_contact,part\na,0,2,1,\n"));
+}
+
+TEST_F(NearExport, MapsThatCountMoreThanListsTellNoContacts) {
+    context_.listed = {.limit_pairs = 2, .maps = true};
+    write_map({"csv"}, Level::Pairs);
+    EXPECT_THAT(text_of("map.csv"), HasSubstr("body,triangle,scenarios,part\na,0,2,\n"));
+    context_.listed = {.maps = true};
+    write_map({"csv"}, Level::Count);
+    EXPECT_EQ(text_of("map.csv"), "body,triangle,scenarios,part\n");
+}
+
 TEST_F(NearExport, WithoutAClearanceFilesHaveNothingOfIt) {
     context_.clearance.reset();
     write({"csv", "json", "npz", "vtp"}, Level::Contacts);
@@ -174,6 +210,9 @@ TEST_F(NearExport, WithoutAClearanceFilesHaveNothingOfIt) {
     EXPECT_FALSE(read.value().contains("near_count"));
     EXPECT_FALSE(read.value().contains("pair_distance"));
     EXPECT_THAT(read_vtp(dir_ / "contacts.vtp").xml, HasSubstr("NumberOfLines=\"0\""));
+    write_map({"csv", "vtp"}, Level::Pairs);
+    EXPECT_THAT(text_of("map.csv"), HasSubstr("body,triangle,scenarios,part\n"));
+    EXPECT_FALSE(read_vtp(dir_ / "a.vtp").arrays.contains("in_contact"));
 }
 
 TEST_F(NearExport, TheSummaryHasTheClearanceAndTheNearScenarios) {

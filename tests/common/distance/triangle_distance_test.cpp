@@ -1,6 +1,5 @@
 // Proves that distances of pairs are decided exactly, whatever the first stage: on random and on
-// hard pairs all answers equal those of rationals. The number of rounds of a kind can be raised by
-// the environment variable CD_ROUNDS.
+// hard pairs all answers equal those of rationals. CD_ROUNDS multiplies the rounds of a kind.
 #include "common/distance/triangle_distance.hpp"
 
 #include "tests/common/pair/pair_batch.hpp"
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,11 +23,6 @@ namespace {
 
 constexpr std::array all_stages{
     DistanceStage::Float, DistanceStage::Double, DistanceStage::DoubleDouble, DistanceStage::Exact};
-
-std::uint64_t rounds_of_a_kind(std::uint64_t usual) {
-    const char* const given = std::getenv("CD_ROUNDS");
-    return given == nullptr ? usual : std::stoull(given);
-}
 
 PosedPair swapped(const PosedPair& c) {
     return {c.b, c.a, {c.poses.b, c.poses.a}};
@@ -77,7 +70,8 @@ class TriangleDistanceTest : public testing::TestWithParam<std::string> {};
 TEST_P(TriangleDistanceTest, AllAnswersAreExactWhateverTheFirstStage) {
     const PairMaker make = distance_pair_makers().at(GetParam());
     int apart = 0;
-    for (SeededRandom random : seeds(rounds_of_a_kind(40))) {
+    int comparisons = 0; // Of a pair's distance with a number.
+    for (SeededRandom random : seeds(raised(310))) {
         const PosedPair c = make(random);
         const DistanceOracle oracle(c.a, c.b, c.poses);
         if (oracle.share_a_point()) {
@@ -85,6 +79,7 @@ TEST_P(TriangleDistanceTest, AllAnswersAreExactWhateverTheFirstStage) {
         }
         ++apart;
         const Truth truth(random, oracle);
+        comparisons += static_cast<int>(truth.bounds.size());
         for (const DistanceStage first : all_stages) {
             expect_truth(c, first, truth);
         }
@@ -94,7 +89,9 @@ TEST_P(TriangleDistanceTest, AllAnswersAreExactWhateverTheFirstStage) {
             return;
         }
     }
-    EXPECT_GT(apart, 5);
+    RecordProperty("pairs_apart", apart);
+    RecordProperty("comparisons", comparisons);
+    EXPECT_GT(apart, 40);
 }
 
 /// The pairs of a kind, under the poses of the first one, that share no point.
@@ -132,10 +129,12 @@ void expect_true_batch(const SpanPairs& pairs, TriangleDistance& distance, doubl
 }
 
 TEST_P(TriangleDistanceTest, BatchesAreExactOnEveryTarget) {
-    for (SeededRandom random : seeds(rounds_of_a_kind(1))) {
+    std::size_t comparisons = 0;
+    for (SeededRandom random : seeds(raised(1))) {
         const SpanPairs pairs(random, distance_pair_makers().at(GetParam()));
         for (std::size_t i = 0; i < pairs.exact.size(); i += 13) {
             for (const double d : bounds_around(random, pairs.exact[i].rounded())) {
+                comparisons += pairs.exact.size();
                 TriangleDistance exactly(pairs.poses, DistanceStage::Exact);
                 expect_true_batch(pairs, exactly, d);
                 on_every_target([&](SimdTarget) {
@@ -145,6 +144,7 @@ TEST_P(TriangleDistanceTest, BatchesAreExactOnEveryTarget) {
             }
         }
     }
+    RecordProperty("comparisons", static_cast<int>(comparisons));
 }
 
 TEST(TriangleDistance, RestartForgetsThePoses) {

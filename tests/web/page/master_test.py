@@ -59,6 +59,21 @@ class RunningJob(PageTest):
             facts = self.browser.wait("a fuller map", lambda f: f["tested"] > last)
         self.assertTrue(self.browser.driver.execute_script("return window.isSamePage"))
 
+    def test_a_running_job_is_described_once(self):
+        """While the job runs its screen asks for its progress alone."""
+        job = self.open_cluster()["jobs"][0]["job"]
+        self.browser.collect()
+        before = len(self.browser.addresses)
+        self.browser.go(f"#/jobs/{job}")
+        facts = self.browser.wait("the job", lambda f: f["screen"] == "job" and f["ready"])
+        for _ in range(3):
+            last = facts["done"]
+            facts = self.browser.wait("more results", lambda f: f["done"] > last)
+        self.browser.collect()
+        asked = [url for _, url in self.browser.addresses[before:]]
+        self.assertEqual(sum(url.endswith(f"/jobs/{job}") for url in asked), 1)
+        self.assertGreater(sum(url.endswith(f"/jobs/{job}/progress") for url in asked), 2)
+
     def test_each_link_opens_its_screen(self):
         """The address alone and the links of all screens open what they name while the job runs."""
         job = self.open_cluster()["jobs"][0]["job"]
@@ -113,6 +128,20 @@ class Master(PageTest):
         self.browser.picture("cluster-lost-light")
         done = facts["jobs"][0]["done"]
         self.browser.wait("results of the other", lambda f: f["jobs"][0]["done"] > done)
+
+    def test_a_job_that_ends_is_described_again(self):
+        """Digest and groups appear, without a reload, where the job was opened before it had a worker."""
+        self.scenes.grid()
+        cluster = self.start_cluster("ending")
+        cluster.run("cdctl", "submit", self.scenes.root / "grid.toml", "--master", cluster.address)
+        self.browser.open(f"{cluster.page}#/jobs/{cluster.job()}")
+        facts = self.browser.wait("the job", lambda f: f["screen"] == "job" and f["ready"])
+        total = 21 * 17 * 3 * 3
+        self.assertLess(facts["done"], total, "of poses far apart the master needs no worker")
+        cluster.add_worker("late")
+        self.browser.wait("the end", lambda f: f["done"] == total)
+        self.browser.wait_text("digest")
+        self.browser.wait_text("parts in contact")
 
     @staticmethod
     def state(facts, worker):

@@ -31,6 +31,8 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs").topic, PageTopic::Jobs);
     EXPECT_EQ(parsed("jobs/j-4f2a").topic, PageTopic::Job);
     EXPECT_EQ(parsed("jobs/j-4f2a").job, "j-4f2a");
+    EXPECT_EQ(parsed("jobs/j/progress").topic, PageTopic::Progress);
+    EXPECT_EQ(parsed("jobs/j/progress").job, "j");
     EXPECT_EQ(parsed("jobs/j/classes?sample=7").topic, PageTopic::Classes);
     EXPECT_EQ(parsed("jobs/j/counts?sample=7").topic, PageTopic::Counts);
     EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);

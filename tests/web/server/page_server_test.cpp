@@ -44,6 +44,9 @@ class FakeSource final : public PageSource {
             return view;
         });
     }
+    void progress(const std::string& id, Take<JobRow> take) override {
+        answer(id, std::move(take), [&] { return row_; });
+    }
     void classes(const std::string& id,
                  const ScenarioChoice& choice,
                  Take<std::vector<std::uint8_t>> take) override {
@@ -229,6 +232,21 @@ TEST_F(PageAnswers, ValuesBecomeJson) {
     EXPECT_TRUE(searched.at("index").is_null());
     EXPECT_EQ(searched.at("searched_to"), 2);
     EXPECT_EQ(of_job("/parts/0/names").json(), nlohmann::json({"hood", "<b>"}));
+}
+
+TEST_F(PageAnswers, ProgressIsWhatTheJobTellsOfItself) {
+    const auto job = of_job("").json();
+    const auto progress = of_job("/progress").json();
+    for (const auto& [key, value] : progress.items()) {
+        EXPECT_EQ(job.at(key), value) << key;
+    }
+    for (const char* key : {"state", "done", "scenarios", "cross", "near", "digest", "paused"}) {
+        EXPECT_TRUE(progress.contains(key)) << key;
+    }
+    for (const char* key : {"bodies", "poses", "groups", "command"}) {
+        EXPECT_FALSE(progress.contains(key)) << key;
+    }
+    EXPECT_EQ(get("jobs/j-0/progress").status(), 404u);
 }
 
 TEST_F(PageAnswers, ArraysAreInNumpysFormat) {

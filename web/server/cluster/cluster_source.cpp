@@ -163,6 +163,12 @@ void ClusterSource::job(const std::string& id, Take<JobView> take) {
     });
 }
 
+void ClusterSource::progress(const std::string& id, Take<JobRow> take) {
+    with_job(id, std::move(take), [](const PagedJob& job, const Take<JobRow>& then) {
+        then(JobRow{job.id, "", job.status});
+    });
+}
+
 void ClusterSource::classes(const std::string& id,
                             const ScenarioChoice& choice,
                             Take<std::vector<std::uint8_t>> take) {

@@ -129,7 +129,8 @@ export interface Poses {
     of_both_bodies: boolean;
 }
 
-export interface Job {
+/** What changes of a job while it runs. */
+export interface Progress {
     job: string;
     name: string;
     state: string;
@@ -155,6 +156,9 @@ export interface Job {
     digest: string | null;
     failure: string;
     paused: string;
+}
+
+export interface Job extends Progress {
     unit: string;
     level: string;
     limit_pairs: number;
@@ -248,6 +252,11 @@ export interface Scenario {
     distance?: number | null;
     /** Only of a motion that did not fail. */
     motion?: Motion;
+}
+
+/** Whether a job has come to its end. */
+export function isOver(job: Pick<Job, "state">): boolean {
+    return job.state !== "running" && job.state !== "paused";
 }
 
 /** Whether a job asks how far the bodies are apart. */

@@ -2,7 +2,17 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { classNames, near, shownOrder } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { asksDistance, asksShots, type Body, countNoun, hasDirections, isScene, type Job, type Source } from "../base/types";
+import {
+    asksDistance,
+    asksShots,
+    type Body,
+    countNoun,
+    hasDirections,
+    isOver,
+    isScene,
+    type Job,
+    type Source,
+} from "../base/types";
 import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
 import { Distances } from "../job/distances";
 import { Episodes } from "../job/episodes";
@@ -13,6 +23,7 @@ import { MostHits } from "../job/most_hits";
 import { PoseSpace } from "../job/pose_space";
 import type { Results } from "../job/results";
 import { Strip } from "../job/strip";
+import { useJob } from "../job/use_job";
 import { useResults } from "../job/use_results";
 import { BodiesPanel } from "../scene/bodies_panel";
 import { SceneEpisodes } from "../scene/episodes_panel";
@@ -20,13 +31,9 @@ import { isFiltered, type SceneFilter, writeFilter } from "../scene/filter";
 import { meshRows, SceneCard } from "../scene/scene_card";
 import { type Filtered, useFiltered } from "../scene/use_filtered";
 import { useSteps } from "../scene/use_scene";
-import { usePolled, useTitle } from "../ui/hooks";
+import { useTitle } from "../ui/hooks";
 import { jobKeys, KeyHelp, useKeys } from "../ui/keys";
 import { ClassCount, Command, Name, Notice, Progress } from "../ui/small";
-
-function isOver(job: Job): boolean {
-    return job.state !== "running" && job.state !== "paused";
-}
 
 function contactsOf(job: Job): number {
     return job.touch + job.cross + job.inside + job.contact;
@@ -273,7 +280,7 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
     const id = route.job;
     const [view, change] = useJobView(route);
     const [helps, setHelps] = useState(false);
-    const { value: job, error } = usePolled<Job>(`jobs/${encodeURIComponent(id)}`, 1, (one) => !isOver(one));
+    const { value: job, error } = useJob(id);
     const { results, error: resultsError } = useResults(source, job);
     const filtered = useFiltered(job, results, view.filter);
     const { steps } = useSteps(job);
