@@ -3,8 +3,9 @@
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"
+#include "common/shots/bundle/bundle_boxes_kernel.hpp"
 #include "common/shots/bundle/bundle_frame.hpp"
-#include "common/shots/bundle/bundle_kernel.hpp"
+#include "common/shots/bundle/bundle_triangles_kernel.hpp"
 #include "common/shots/bundle/parallel_lines.hpp"
 #include "common/tree/wide/wide_node.hpp"
 
