@@ -105,14 +105,14 @@ class DistanceRestart : public MortalCluster {};
 } // namespace
 
 TEST_F(DistanceRestart, TheQuestionAndItsResultsOutliveTheMaster) {
-    const Job job = make_job(3000);
+    const Job job = make_job(1500);
     const Query query = distance_query(1);
     start_worker();
     start_worker();
     auto connection = connect();
     const JobId id = submit(*connection, job, query);
     int killed = 0;
-    for (const std::uint64_t point : {1u, 1000u, 2000u}) {
+    for (const std::uint64_t point : {1u, 500u, 1000u}) {
         if (watch_until(*connection, id, point).state != JobState::Running) {
             break;
         }
@@ -122,7 +122,7 @@ TEST_F(DistanceRestart, TheQuestionAndItsResultsOutliveTheMaster) {
     EXPECT_GE(killed, 1);
     const JobStatus status = finish(*connection, id);
     expect_answers(status, job, query);
-    EXPECT_EQ(fetched(*connection, status), 3000u);
+    EXPECT_EQ(fetched(*connection, status), 1500u);
 }
 
 } // namespace cd::tests

@@ -110,12 +110,13 @@ class MortalCluster : public testing::Test {
         return submit_job(connection, job, query, options);
     }
 
-    /// Watches until so many scenarios are merged or the job has ended.
+    /// Watches until so many scenarios are merged or the job has ended. Fails if it is long before
+    /// another one is merged.
     static JobStatus watch_until(Connection& connection, JobId job, std::uint64_t merged) {
         JobStatus last;
-        const auto deadline = std::chrono::steady_clock::now() + patience;
+        auto last_merged = std::chrono::steady_clock::now();
         for (;;) {
-            if (std::chrono::steady_clock::now() > deadline) {
+            if (std::chrono::steady_clock::now() > last_merged + patience) {
                 ADD_FAILURE() << "stuck at " << last.summary.merged() << " scenarios";
                 return last;
             }
@@ -126,6 +127,9 @@ class MortalCluster : public testing::Test {
             }
             for (const JobStatus& each : status.value().jobs) {
                 if (each.job == job) {
+                    if (each.summary.merged() > last.summary.merged()) {
+                        last_merged = std::chrono::steady_clock::now();
+                    }
                     last = each;
                 }
             }
