@@ -42,7 +42,8 @@ std::uint64_t PairSet::count_among(std::span<const std::uint32_t> bodies) const 
     if (bodies.size() <= bodies_ / 2) {
         return ends_among(bodies) / 2;
     }
-    // Pairs of one of the others are taken away; those of two others twice, so they are added once.
+    // Subtracts each pair that has one of the other bodies. A pair of two other bodies is
+    // subtracted twice, so it is added back once.
     const std::vector<std::uint32_t> others = all_but(bodies);
     return count() + ends_among(others) / 2 - ends_at(others);
 }

@@ -122,7 +122,9 @@ HWY_INLINE hn::Vec<Floats> floats_below(V value) {
     const auto clamped = hn::IfThenElse(is_in_range, hn::Min(value, all(largest)), all(-largest));
     const auto nearest = hn::DemoteTo(f, clamped);
     const auto is_above = hn::Or(hn::Gt(hn::PromoteTo(d, nearest), clamped), hn::Not(is_in_range));
-    // A float above its value is not plus zero. One step of its bits leads down.
+    // Where the nearest float is above the value, takes the next lower float: the bits as an
+    // integer, minus 1 if the float is positive, plus 1 if it is negative. The float is not +0
+    // there, because negative values round to -0.
     const auto moves = hn::Neg(hn::DemoteTo(steps, hn::IfThenElseZero(is_above, all(1))));
     const auto bits = hn::BitCast(steps, nearest);
     const auto down = hn::Or(hn::BroadcastSignBit(bits), hn::Set(steps, 1));

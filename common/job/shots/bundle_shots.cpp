@@ -236,8 +236,6 @@ struct BundleShots::State {
     std::uint64_t count = 0;
     QueryStatistics before; ///< Of earlier scenarios.
 
-    explicit State(double bound_scale) : search(bound_scale), depths(bound_scale) {}
-
     [[nodiscard]] QueryStatistics statistics() const {
         QueryStatistics all{search.box_tests(), search.line_tests(), {}};
         all.decisions[PairStage::Double] = search.line_tests();
@@ -296,7 +294,7 @@ struct BundleShots::State {
     }
 };
 
-BundleShots::BundleShots(double bound_scale) : state_(std::make_unique<State>(bound_scale)) {}
+BundleShots::BundleShots() : state_(std::make_unique<State>()) {}
 BundleShots::BundleShots(BundleShots&&) noexcept = default;
 BundleShots& BundleShots::operator=(BundleShots&&) noexcept = default;
 BundleShots::~BundleShots() = default;

@@ -28,8 +28,7 @@ struct LineShot {
 /// between scenarios.
 class BundleShots {
   public:
-    /// Multiplies all error bounds by `bound_scale`, for tests: see BundleSearch.
-    explicit BundleShots(double bound_scale = 1);
+    BundleShots();
     BundleShots(BundleShots&&) noexcept;
     BundleShots& operator=(BundleShots&&) noexcept;
     ~BundleShots();
@@ -54,8 +53,8 @@ class BundleShots {
     /// Moves hits to `found` that need SegmentHit: all of a line of which `found` has a contact, of
     /// which a depth is unknown, or of which two depths of different triangles round alike. Returns
     /// the others, sorted by triangle and line; with `only_first`, the first one of each line.
-    /// Valid until `restart`. To be called once, after `collect` with depths, and only if no hit
-    /// was dropped, which happens above `found.pairs_max()`.
+    /// Valid until `restart`. Call it once, after `collect` with depths, and only if `count` is at
+    /// most `found.pairs_max()`: further hits are not kept.
     [[nodiscard]] std::span<const LineShot> settle(FoundContacts& found, bool only_first);
 
     /// Returns the statistics since `restart`.

@@ -1,6 +1,7 @@
 #include "common/shots/bundle/bundle_depth_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
+#include "common/pair/stages/double_double/double_double_local.hpp"
 
 #include <cmath>
 
@@ -20,8 +21,6 @@ namespace bundle_depths {
 using namespace double_double_lanes;
 
 constexpr double e = double_double_error;
-constexpr double length_least = 0x1p-200;
-constexpr double length_most = 0x1p200;
 
 HWY_INLINE Number set(const DoubleDouble& number) {
     return {double_double_lanes::set(number.high), double_double_lanes::set(number.low)};
@@ -40,8 +39,8 @@ HWY_INLINE V scaled(V value, double by) {
 }
 
 HWY_INLINE M is_in_range(V length) {
-    return hn::And(hn::Ge(length, double_double_lanes::set(length_least)),
-                   hn::Le(length, double_double_lanes::set(length_most)));
+    return hn::And(hn::Ge(length, double_double_lanes::set(local_length_least)),
+                   hn::Le(length, double_double_lanes::set(local_length_most)));
 }
 
 /// A corner of each lane's triangle.

@@ -1,4 +1,5 @@
-// Bounds, with e for `double_double_error`; sizes of products below leave out factors of 1 + 2^-50.
+// Error bounds, where e stands for `double_double_error`. The derivation omits factors of 1 +
+// 2^-50.
 //
 // The bundle in A's coordinates: M = A' B for the rotations A and B, whose entries are at most 1
 // and err by 10 e. The sizes in a row or column sum to at most 1.74, so that an entry of M, a sum
@@ -26,6 +27,7 @@
 #include "common/core/check.hpp"
 #include "common/pair/stages/double_double/double_double_local.hpp"
 #include "common/pair/stages/double_double/double_double_rotation.hpp"
+#include "common/shots/rigid_pose.hpp"
 #include "common/shots/segment_length.hpp"
 
 #include <algorithm>
@@ -37,12 +39,6 @@ namespace cd {
 namespace {
 
 constexpr double e = double_double_error;
-constexpr double length_least = 0x1p-200;
-constexpr double length_most = 0x1p200;
-
-bool is_rigid(const Pose& pose) {
-    return pose.kind() == Pose::Kind::Quaternion || pose.matrix() == Mat3::Identity();
-}
 
 /// Returns A' v.
 DoubleDoubleVec turned_back(const DoubleDoubleMatrix& a, const DoubleDoubleVec& v) {
@@ -119,7 +115,9 @@ void BundleDepths::restart(const PosePair& poses, const ParallelLines& lines) {
     line.p.x() = ends[0];
     line.q.x() = ends[1];
     bundle_.length = segment_length(line);
-    const auto is_fit = [](double size) { return size >= length_least && size <= length_most; };
+    const auto is_fit = [](double size) {
+        return size >= local_length_least && size <= local_length_most;
+    };
     if (!(is_fit(reach) && is_fit(bundle_.way_size) && is_fit(bundle_.length))) {
         bundle_.start_error = std::numeric_limits<double>::infinity();
     }

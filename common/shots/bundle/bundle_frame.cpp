@@ -13,6 +13,8 @@
 // v (S + |base|) has room. The base itself errs as a vertex does, as X bounds origins as well.
 #include "common/shots/bundle/bundle_frame.hpp"
 
+#include "common/shots/rigid_pose.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +35,7 @@ double error_of(const RelativePose& a_to_b, double stretch, double reach) {
 } // namespace
 
 bool BundleFrame::suits(const PosePair& poses) {
-    return poses.b.kind() == Pose::Kind::Quaternion || poses.b.matrix() == Mat3::Identity();
+    return is_rigid(poses.b);
 }
 
 BundleFrame::BundleFrame(const PosePair& poses, std::size_t axis, double reach) {

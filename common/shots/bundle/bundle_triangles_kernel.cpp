@@ -121,7 +121,7 @@ HWY_INLINE void place(const T* from,
                       const BundleAcross& bundle,
                       BlockAcross& placed) {
     place_vertices(from, count, frame, placed);
-    // Gathers are slow on some processors.
+    // Copies corners one by one, because SIMD gathers are slow on some processors.
     std::uint32_t placed_count = 0;
     for (; triangles != 0; triangles &= triangles - 1) {
         const std::size_t place = hwy::Num0BitsBelowLS1Bit_Nonzero32(triangles);
@@ -219,8 +219,9 @@ HWY_INLINE void mark_vector(const Target& target,
     }
 }
 
-/// Returns whether some line has a coordinate in a triangle's box on one axis, as
-/// ParallelLines::may_hold does.
+/// Returns whether some line may have a coordinate in a triangle's box on one axis. A line in the
+/// first bin does if the box begins before the bin's last line, one in the last bin if the box ends
+/// behind its first line, and any line between these bins does.
 HWY_INLINE bool holds_coordinate(const BlockAcross& placed,
                                  const BundleAcross& bundle,
                                  std::size_t which,

@@ -126,7 +126,7 @@ void ParallelLines::sort_into_bins() {
     for (std::vector<double>& across : across_) {
         across.assign(unsorted_.size() + spare_lines, 0);
     }
-    // Each begin moves to the next bin's, and back below.
+    // Placing a line advances the begin of its bin, which so ends as the begin of the next bin.
     for (const Unsorted& line : unsorted_) {
         const std::uint32_t place = begins_[line.bin]++;
         across_[0][place] = line.across[0];

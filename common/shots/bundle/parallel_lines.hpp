@@ -83,20 +83,11 @@ class ParallelLines {
         const auto last = static_cast<double>(steps.count() - 1);
         return static_cast<std::uint32_t>(std::min(std::max(place, 0.0), last));
     }
-    /// Returns whether an interval across the axis, whose bins are given, may hold a line's
-    /// coordinate.
-    [[nodiscard]] bool may_hold(
-        std::size_t which, std::uint32_t first, std::uint32_t last, double low, double high) const {
-        const LineSteps& steps = steps_[which];
-        const bool is_below = low <= steps.most[first];
-        const bool is_above = high >= steps.least[last];
-        return first == last ? is_below && is_above : is_below || is_above || last - first > 1;
-    }
     /// Returns whether the lines are those of a grid, all columns times all rows. Then a box whose
     /// two intervals hold coordinates of lines holds a line.
     [[nodiscard]] bool is_grid() const { return is_grid_; }
-    /// Returns whether a box across the axis may hold a line. Does not look far: says yes for boxes
-    /// of many bins.
+    /// Returns whether a box across the axis may hold a line. Looks only into few
+    /// bins, and returns true for a box of many.
     [[nodiscard]] bool may_hold(const std::array<double, 2>& low,
                                 const std::array<double, 2>& high) const;
     /// Returns the coordinates that the columns or rows hold.

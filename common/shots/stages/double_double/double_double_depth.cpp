@@ -26,6 +26,7 @@
 #include "common/shots/stages/double_double/double_double_depth.hpp"
 
 #include "common/pair/stages/double_double/double_double_places.hpp"
+#include "common/shots/rigid_pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,10 +52,6 @@ DoubleDoubleVec exact_difference(const Vec3& l, const Vec3& r) {
 
 DoubleDoubleVec cross(const DoubleDoubleVec& l, const DoubleDoubleVec& r) {
     return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
-}
-
-bool is_rigid(const Pose& pose) {
-    return pose.kind() == Pose::Kind::Quaternion || pose.matrix() == Mat3::Identity();
 }
 
 } // namespace

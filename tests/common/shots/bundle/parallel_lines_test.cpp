@@ -40,7 +40,6 @@ TEST(ParallelLines, AreNotTriangles) {
 
 TEST(ParallelLines, BinsHoldAllLinesOfABox) {
     int held = 0;
-    int refused = 0;
     for (SeededRandom random : seeds(raised(200))) {
         const std::size_t axis = random() % 3;
         const std::array<int, 2> counts{static_cast<int>(1 + random() % 9),
@@ -55,15 +54,12 @@ TEST(ParallelLines, BinsHoldAllLinesOfABox) {
         const Vec3 at = random_point(random, 1.5);
         const double size = uniform(random, 0, 0.6);
         std::set<std::uint32_t> found;
-        bool may_hold = true;
         std::array<std::uint32_t, 2> first{};
         std::array<std::uint32_t, 2> last{};
         for (std::size_t which = 0; which < 2; ++which) {
             const double low = at[static_cast<Eigen::Index>(which)];
             first[which] = lines.bin_of(low, which);
             last[which] = lines.bin_of(low + size, which);
-            may_hold =
-                may_hold && lines.may_hold(which, first[which], last[which], low, low + size);
         }
         for (std::uint32_t row = first[1]; row <= last[1]; ++row) {
             for (std::uint32_t i = rows.begin_of(first[0], row);
@@ -75,13 +71,11 @@ TEST(ParallelLines, BinsHoldAllLinesOfABox) {
         for (std::uint32_t i = 0; i < lines.slots().size(); ++i) {
             const bool is_in = rows.across[0][i] >= at[0] && rows.across[0][i] <= at[0] + size &&
                                rows.across[1][i] >= at[1] && rows.across[1][i] <= at[1] + size;
-            ASSERT_TRUE(!is_in || (may_hold && found.contains(i)));
+            ASSERT_TRUE(!is_in || found.contains(i));
             held += is_in ? 1 : 0;
         }
-        refused += may_hold ? 0 : 1;
     }
     EXPECT_GT(held, 50);
-    EXPECT_GT(refused, 50);
 }
 
 TEST(ParallelLines, ABoxThatHoldsALineIsNeverRefused) {
