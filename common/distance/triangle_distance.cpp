@@ -73,11 +73,15 @@ struct TriangleDistance::State {
         }
         return verdicts;
     }
-    [[nodiscard]] DoublePair look_at(const Corners& a, const Corners& b) {
+    [[nodiscard]] const DoubleDistance& in_doubles() {
         if (!in_double) {
             in_double.emplace(poses);
         }
-        return first <= DistanceStage::Double ? in_double->look_at(a, b) : in_double->choose(a, b);
+        return *in_double;
+    }
+    [[nodiscard]] DoublePair look_at(const Corners& a, const Corners& b) {
+        return first <= DistanceStage::Double ? in_doubles().look_at(a, b)
+                                              : in_doubles().choose(a, b);
     }
     [[nodiscard]] DistanceBounds<DoubleDouble>
     look_closer(const Corners& a, const Corners& b, const DoublePair& pair) {
@@ -162,6 +166,10 @@ NearestPoints TriangleDistance::nearest(const Corners& a, const Corners& b) {
         return *proven;
     }
     return s.in_integers().nearest(a, b, likely);
+}
+
+Vec3 TriangleDistance::displacement(const Corners& a, const Corners& b) {
+    return state_->in_doubles().displacement(a, b);
 }
 
 template <class Triangles>

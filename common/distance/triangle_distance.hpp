@@ -72,6 +72,10 @@ class TriangleDistance {
 
     [[nodiscard]] NearestPoints nearest(const Corners& a, const Corners& b);
 
+    /// Returns about the vector from the nearest point of A to that of B, in the world. Promises
+    /// nothing: a search uses it to look at promising pairs first.
+    [[nodiscard]] Vec3 displacement(const Corners& a, const Corners& b);
+
     /// Tests for each candidate of two bodies, each a TriangleSpan or TriangleBlocks, whether its
     /// distance is at most `d`. Returns a 1 or 0 per candidate, in order, valid until the next
     /// call. Many candidates in one call are much faster than one by one.

@@ -23,9 +23,11 @@ void NearestFound::restart(const PosePair& poses) {
     distance_.restart(poses);
     triangle_tests_ = 0;
     upper_ = infinity;
+    displacement_ = Vec3::Zero();
     open_.clear();
     if (const auto last = std::exchange(best_, std::nullopt)) {
         decide(*last);
+        displacement_ = distance_.displacement(last->corners.a, last->corners.b);
     }
 }
 
@@ -65,12 +67,16 @@ void NearestFound::add(const Triangles& a,
                        std::span<const Candidate> candidates) {
     triangle_tests_ += candidates.size();
     const auto [lower, upper] = distance_.bounds(a, b, candidates);
-    for (const float each : upper) {
-        upper_ = std::min(upper_, double{each});
+    const auto least = std::ranges::min_element(upper);
+    if (least != upper.end() && double{*least} < upper_) {
+        upper_ = double{*least};
+        const Candidate& pair = candidates[static_cast<std::size_t>(least - upper.begin())];
+        displacement_ = distance_.displacement(a.corners_at(pair.a), b.corners_at(pair.b));
     }
+    double within = bound();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& pair = candidates[i];
-        if (double{lower[i]} > bound()) {
+        if (double{lower[i]} > within) {
             continue;
         }
         open_.push_back({double{lower[i]},
@@ -80,6 +86,7 @@ void NearestFound::add(const Triangles& a,
         if (upper[i] == std::numeric_limits<float>::infinity()) {
             decide(open_.back());
             open_.pop_back();
+            within = bound();
         }
     }
 }

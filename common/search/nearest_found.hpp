@@ -55,6 +55,10 @@ class NearestFound {
     /// round to more than the best one.
     [[nodiscard]] double bound() const;
 
+    /// Returns about the vector between the nearest points of the best pair so far, in the world,
+    /// or zero before there is one.
+    [[nodiscard]] const Vec3& displacement() const { return displacement_; }
+
     [[nodiscard]] const std::optional<NearestPair>& best() const { return best_; }
     /// Returns the nearest points of a pair under the current poses.
     [[nodiscard]] NearestPoints points_of(const NearestPair& pair) {
@@ -69,6 +73,7 @@ class NearestFound {
     double up_to_;
     std::optional<NearestPair> best_;
     double upper_ = std::numeric_limits<double>::infinity(); ///< Of the least distance, in floats.
+    Vec3 displacement_ = Vec3::Zero();
     /// Candidates that are not decided. Their `distance` is a lower bound.
     std::vector<NearestPair> open_;
     std::uint64_t triangle_tests_ = 0;

@@ -74,6 +74,7 @@ void WideSearch::set_clearance(double clearance) {
 
 void WideSearch::place_near(const PosePair& poses) {
     reach_per_length_ = body_reach(poses, 1);
+    rotation_a_ = poses.a.rotation();
     near_descent_->restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);
 }
 
@@ -81,6 +82,15 @@ void WideSearch::place_near(const PosePair& poses) {
 double WideSearch::nearest_reach() const {
     constexpr double more_than_rounding = 1 + 0x1p-50;
     return more_than_rounding * reach_per_length_ * nearest_->bound();
+}
+
+/// Gives the descent the direction in which the bodies are nearest, so far.
+void WideSearch::set_direction() {
+    const Vec3 in_a = rotation_a_.transpose() * nearest_->displacement();
+    const double length = in_a.norm();
+    if (length > 0) {
+        near_descent_->set_direction(in_a / length);
+    }
 }
 
 void WideSearch::poll_stop() {
@@ -161,11 +171,13 @@ void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
     const TriangleBlocks& of_b = b.wide.triangles;
     WideDescent& descent = *near_descent_;
     descent.set_reach(nearest_reach());
+    set_direction();
     descent.start(a.wide, b.wide, WideDescent::Aim::Nearest);
     while (!descent.is_done() && !is_stopped_) {
         const auto found = next_candidates(descent, a.wide, b.wide, candidates_at_once_for_nearest);
         nearest_->add(of_a, of_a.ids, of_b, of_b.ids, found);
         descent.set_reach(nearest_reach());
+        set_direction();
         poll_stop();
     }
     nearest_->settle();

@@ -36,9 +36,11 @@ class WideSearch final : public ContactSearch {
     next_candidates(WideDescent& descent, const WideView& a, const WideView& b, std::size_t wanted);
     void place_near(const PosePair& poses);
     [[nodiscard]] double nearest_reach() const;
+    void set_direction();
     void poll_stop();
 
     std::optional<double> clearance_;
+    Mat3 rotation_a_ = Mat3::Identity();
     double reach_per_length_ = 1; ///< Of `near_descent_`: `body_reach` of the length 1.
     RelativePose b_to_a_;
     WideDescent descent_; ///< Finds contacts.

@@ -7,6 +7,9 @@ namespace {
 /// More steps part hardly more pairs than opening their nodes does.
 constexpr std::uint32_t plane_steps = 3;
 
+/// The same for whole bodies, once in a search for the nearest pair.
+constexpr std::uint32_t root_steps = 16;
+
 /// A pair that no plane parted is tried again under each such pose among near ones.
 constexpr std::uint32_t retry_period = 8;
 
@@ -31,6 +34,14 @@ void PlaneStack::push_roots() {
     pairs_.push_back({{0, 0}, first_normal(pose_)});
 }
 
+PlaneNormal PlaneStack::root_normal() const {
+    PlanePose pose = pose_;
+    pose.reach = 0;
+    PlaneNormal normal = first_normal(pose);
+    static_cast<void>(separate(pose, *a_, 0, *b_, 0, root_steps, normal));
+    return normal;
+}
+
 /// Tries to part a pair, unless that failed lately. Sets the pair's normal to the last one tried.
 bool PlaneStack::is_apart(Waiting& pair) {
     const auto [kept, is_known] = kept_->of(pair.nodes);
@@ -52,6 +63,11 @@ bool PlaneStack::is_apart(Waiting& pair) {
     kept.normal = pair.normal;
     kept.failures = is_apart ? 0 : 1;
     return is_apart;
+}
+
+bool PlaneStack::parts(WidePair nodes, const PlaneNormal& normal) {
+    Waiting pair{nodes, normal};
+    return is_apart(pair);
 }
 
 std::optional<WidePair> PlaneStack::next() {

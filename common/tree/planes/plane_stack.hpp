@@ -24,6 +24,8 @@ class PlaneStack {
     void push_roots();
     void clear() { pairs_.clear(); }
     [[nodiscard]] std::size_t size() const { return pairs_.size(); }
+    /// Returns a normal that parts the whole bodies, ignoring the reach, or nearly does.
+    [[nodiscard]] PlaneNormal root_normal() const;
 
     /// Takes pairs off the stack until one cannot be parted; returns it, or nothing if no pair is
     /// left.
@@ -32,6 +34,8 @@ class PlaneStack {
     void push_children(std::span<const WidePair> pairs);
     /// Takes a pair off the stack without looking at it. There is one.
     [[nodiscard]] WidePair pop();
+    /// Tests whether a plane parts a pair that is not on the stack; tries planes of `normal` first.
+    [[nodiscard]] bool parts(WidePair nodes, const PlaneNormal& normal);
 
   private:
     struct Waiting {

@@ -34,6 +34,8 @@ class PairBuckets {
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
+    /// Returns the least rank of all pairs. The queue is not empty.
+    [[nodiscard]] std::int32_t least_rank() const { return __builtin_ctzll(filled_); }
 
     /// Accepts any rank and clamps it to 0 to `count` - 1.
     void push(WidePair pair, std::int32_t rank) {

@@ -46,6 +46,8 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
 void WideDescent::restart(const RelativePose& b_to_a, double reach) {
     b_to_a_ = b_to_a;
     margins_.reach = reach;
+    pose_.along = {};
+    pose_.along_in_b = {};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double entry = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -85,6 +87,14 @@ void WideDescent::set_reach(double reach) {
     }
 }
 
+void WideDescent::set_direction(const Vec3& direction) {
+    const Vec3 in_b = b_to_a_.rotation.transpose() * direction;
+    for (std::size_t i = 0; i < 3; ++i) {
+        pose_.along[i] = static_cast<float>(direction[static_cast<int>(i)]);
+        pose_.along_in_b[i] = static_cast<float>(in_b[static_cast<int>(i)]);
+    }
+}
+
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
     margins_.absolute =
@@ -104,8 +114,9 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     walk_.leaves_at_once = course_.is_for_all ? wide_leaves_max - wide_batch_max : leaves_for_first;
     course_.is_nearest = aim == Aim::Nearest;
     const auto size = static_cast<float>(std::min(a.extent + b.extent, 0x1p50));
-    pose_.rank_base = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(size * size) >> 23) -
-                      (PairBuckets::count - 2);
+    pose_.rank_base =
+        static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(size * size) >> rank_shift) -
+        (PairBuckets::count - 2);
     course_.has_planes = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
     planes_.clear();
     if (course_.has_planes) {
@@ -117,7 +128,11 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     }
     dive_ = {};
     if (course_.is_nearest) {
-        dive_at_roots();
+        walk_.ranked.push({0, 0}, 0);
+        if (course_.has_planes) {
+            const auto [x, y, z] = planes_.root_normal();
+            set_direction({x, y, z});
+        }
         return;
     }
     if (aim == Aim::LikelyFirst) {
@@ -139,6 +154,10 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
+        if (course_.is_nearest) {
+            visit_nearest();
+            continue;
+        }
         if (dive_.visits_left > 0) {
             dive();
             continue;
@@ -151,17 +170,30 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
             grow();
         }
         walk_.waiting = waiting_.get();
-        walk();
+        walk_wide(pose_, walk_);
     }
     return {candidates_.get(), walk_.candidate_count};
 }
 
-void WideDescent::walk() {
-    if (course_.is_nearest) {
-        walk_wide_within(pose_, walk_);
-    } else {
-        walk_wide(pose_, walk_);
+/// Visits the pair of nodes whose boxes are nearest, unless it is beyond the reach or a plane parts
+/// it. The queue is not empty.
+void WideDescent::visit_nearest() {
+    // No pair in the queue is nearer than its rank says.
+    const std::int32_t rank = walk_.ranked.least_rank();
+    if (rank > 0 && least_square_of(rank, pose_) > pose_.reach * pose_.reach) {
+        walk_.ranked.clear();
+        return;
     }
+    const WidePair pair = walk_.ranked.pop();
+    if (course_.has_planes && pose_.reach < wide_reach_max &&
+        planes_.parts(pair, {pose_.along[0], pose_.along[1], pose_.along[2]})) {
+        return;
+    }
+    const std::uint32_t visits_left = walk_.visits_left;
+    walk_.visits_left = 1;
+    walk_.ranked.push(pair, 0); // The next one.
+    walk_wide_nearest(pose_, walk_);
+    walk_.visits_left = visits_left - 1;
 }
 
 /// Begins with the most promising pairs: those of the last contacts, or else the roots.
@@ -181,20 +213,14 @@ void WideDescent::begin_dive() {
 void WideDescent::dive_at_roots() {
     walk_.ranked.clear();
     walk_.ranked.push({0, 0}, 0);
-    dive_.visits_left = course_.is_nearest   ? dive_visits_for_nearest
-                        : course_.has_planes ? dive_visits_before_planes
-                                             : dive_visits;
+    dive_.visits_left = course_.has_planes ? dive_visits_before_planes : dive_visits;
     dive_.is_near_last = false;
 }
 
 /// Visits the most promising pairs.
 void WideDescent::dive() {
     walk_.visits_left = dive_.visits_left;
-    if (course_.is_nearest) {
-        walk_wide_nearest(pose_, walk_);
-    } else {
-        walk_wide_ranked(pose_, walk_);
-    }
+    walk_wide_ranked(pose_, walk_);
     dive_.visits_left = walk_.visits_left;
     walk_.visits_left = visits_at_once;
     if (dive_.is_near_last) {
@@ -238,7 +264,7 @@ void WideDescent::part() {
     } else {
         waiting_[walk_.waiting_count++] = *pair;
     }
-    walk();
+    walk_wide(pose_, walk_);
     planes_.push_children({waiting_.get(), walk_.waiting_count});
     walk_.waiting_count = 0;
     walk_.visits_left = visits_left - 1;

@@ -48,14 +48,15 @@ class WideDescent {
     static constexpr std::uint32_t dive_visits = 16;
     /// The same before planes, which find a contact later than boxes would.
     static constexpr std::uint32_t dive_visits_before_planes = 24;
-    /// The same of a descent for the nearest pair: fewer find no good upper bound, with which
-    /// planes part little.
-    static constexpr std::uint32_t dive_visits_for_nearest = 256;
     /// The same near the last contacts.
     static constexpr std::uint32_t dive_visits_near_last = 8;
 
     /// Changes the reach; during a descent only to a smaller one.
     void set_reach(double reach);
+
+    /// Takes a unit vector in A's coordinates for a descent with the aim Nearest. The better it
+    /// parts the bodies where they are nearest, the more pairs are skipped.
+    void set_direction(const Vec3& direction);
 
     /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
@@ -81,7 +82,7 @@ class WideDescent {
 
   private:
     void set_margin();
-    void walk();
+    void visit_nearest();
     void begin_dive();
     void dive_at_roots();
     void dive();

@@ -47,6 +47,14 @@
 //     rounding of the interval's end. The difference, the product with the step, the sum with the
 //     reach and the sum of three squares err by below 10 u, the frame by 6 u. So the sum of
 //     squares, times 1 - 2^-14, is at most the square of the distance.
+// (11) A direction n, |n| <= 1 + 2 u, as floats, and m = R' n for B, which takes r and a rounding.
+//     n (x - o) >= min over A's child of n (x - o), and so on, so the least n (R y + t - x) of two
+//     children is n w + min m (y - p) + min -n (x - o). If the points are within the reach, n z is
+//     at most the reach times 1 + 2 u. Errors: (1) and n w: abs 1.8 + 6 u |w|. A box: n is turned
+//     to the node's frame, 3 u and the frame's 2 e, three products with the steps and two sums:
+//     below (3 + 4 + 8) u 3 E. Corners: y - p one rounding, three products and sums, m one and
+//     1.75 r: below 8 u 1.74 E + 3.1 r E. All are below the bound of (8), and `Meeting::margin` is
+//     that bound with the reach.
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes are within a reach of
 // 2^50 only where |w| is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an
@@ -77,6 +85,8 @@ struct Visit {
     Intervals seen_b;      ///< Intervals of B's children in the frame of A's node.
     std::uint32_t found_a; ///< Bit mask of the children of A's node that may overlap B's node.
     std::uint32_t found_b;
+    alignas(64) float least_a[children]; ///< Of A's children, against the pose's direction.
+    alignas(64) float least_b[children];
 };
 
 HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
@@ -101,9 +111,30 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 // their loads overlap and no branch depends on a single pair. Pairs of leaves are collected until
 // there are enough of them.
 
+/// Bit masks of children.
+struct Parting {
+    std::uint32_t a;
+    std::uint32_t b;
+};
+
+/// Projects the children of both nodes on the pose's direction: the sum of a `least_a` and a
+/// `least_b` is how far the two children are apart along it. Returns the children that are not
+/// farther from all of the other side's than the margin.
+template <bool kBothLeaves>
+HWY_INLINE Parting project_both(const WidePose& pose, const WideWalk& walk, Visit& visit) {
+    const float against[3] = {-pose.along[0], -pose.along[1], -pose.along[2]};
+    project<kBothLeaves>(walk.a, visit.side_a, against, 0, visit.least_a);
+    project<kBothLeaves>(
+        walk.b, visit.side_b, pose.along_in_b.data(), visit.meeting.along, visit.least_b);
+    const float least_a = least_of(visit.least_a, visit.side_a.count);
+    const float least_b = least_of(visit.least_b, visit.side_b.count);
+    return {not_above(visit.least_a, visit.side_a.count, visit.meeting.margin - least_b),
+            not_above(visit.least_b, visit.side_b.count, visit.meeting.margin - least_a)};
+}
+
 /// Tests the first `count` visits from both sides. Writes to `left` the indices of the visits where
 /// both nodes have children that may overlap the other node. Returns the number of these visits.
-template <bool kBothLeaves>
+template <bool kBothLeaves, Rating kRating>
 HWY_INLINE std::size_t see_both(
     const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
     std::size_t left_count = 0;
@@ -115,7 +146,16 @@ HWY_INLINE std::size_t see_both(
         now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
         now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
         walk.box_tests += now.side_b.count;
-        now.found_b = see_b<kBothLeaves>(pose, walk.b, a, now.side_b, now.meeting, now.seen_b);
+        Parting parting{children_mask(now.side_a), children_mask(now.side_b)};
+        if constexpr (kRating == Rating::Gap) {
+            parting = project_both<kBothLeaves>(pose, walk, now);
+            if (parting.a == 0) {
+                continue;
+            }
+        }
+        now.found_a = parting.a;
+        now.found_b =
+            see_b<kBothLeaves>(pose, walk.b, a, now.side_b, now.meeting, now.seen_b) & parting.b;
         left[left_count] = i;
         left_count += now.found_b != 0 ? 1 : 0;
     }
@@ -124,7 +164,7 @@ HWY_INLINE std::size_t see_both(
         Visit& now = visits[left[i]];
         const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
         walk.box_tests += now.side_a.count;
-        now.found_a = see_a<kBothLeaves>(pose, walk.a, b, now.side_a, now.meeting, now.seen_a);
+        now.found_a &= see_a<kBothLeaves>(pose, walk.a, b, now.side_a, now.meeting, now.seen_a);
         left[both_count] = left[i];
         both_count += now.found_a != 0 ? 1 : 0;
     }
@@ -139,8 +179,8 @@ struct Rows {
 };
 
 HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
-    const RowSide of_a{visit.side_a, visit.seen_a, visit.found_a};
-    const RowSide of_b{visit.side_b, visit.seen_b, visit.found_b};
+    const RowSide of_a{visit.side_a, visit.seen_a, visit.found_a, visit.least_a};
+    const RowSide of_b{visit.side_b, visit.seen_b, visit.found_b, visit.least_b};
     const int rows_a = __builtin_popcount(visit.found_a);
     const int rows_b = __builtin_popcount(visit.found_b);
     const bool by_a = rows_a <= rows_b;
@@ -155,11 +195,13 @@ template <bool kBothLeaves, Rating kRating>
 HWY_INLINE std::size_t
 look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
     std::size_t left[wide_batch_max];
-    const std::size_t left_count = see_both<kBothLeaves>(pose, walk, visits, count, left);
+    const std::size_t left_count = see_both<kBothLeaves, kRating>(pose, walk, visits, count, left);
     std::size_t written = 0;
     for (std::size_t i = 0; i < left_count; ++i) {
-        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
-        written += pair_up<kRating>(rows.one, rows.others, rows.one_is_a, pose, to + 2 * written);
+        Visit& now = visits[left[i]];
+        const Rows rows = rows_of(now, walk.box_tests);
+        written += pair_up<kRating>(
+            rows.one, rows.others, rows.one_is_a, pose, now.meeting.margin, to + 2 * written);
     }
     return written;
 }
@@ -193,14 +235,13 @@ HWY_INLINE std::size_t meet_inner(
 }
 
 /// Visits one batch of the waiting pairs.
-template <Rating kRating>
 HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
     walk.waiting_count -= count;
     const WidePair* now = walk.waiting + walk.waiting_count;
     const std::size_t inner = meet_inner(pose, walk, now, count, visits);
     auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-    walk.waiting_count += look_at<false, kRating>(pose, walk, visits, inner, to);
+    walk.waiting_count += look_at<false, Rating::None>(pose, walk, visits, inner, to);
     count_visits(walk, inner);
 }
 
@@ -224,9 +265,10 @@ HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit)
     const WidePair now = walk.ranked.pop();
     const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);
     std::size_t left = 0;
-    if (see_both<false>(pose, walk, &visit, inner, &left) > 0) {
+    if (see_both<false, kRating>(pose, walk, &visit, inner, &left) > 0) {
         const Rows rows = rows_of(visit, walk.box_tests);
-        rank_pairs<kRating>(rows.one, rows.others, rows.one_is_a, pose, walk.ranked);
+        rank_pairs<kRating>(
+            rows.one, rows.others, rows.one_is_a, pose, visit.meeting.margin, walk.ranked);
     }
     count_visits(walk, inner);
     if (walk.leaf_count > 0) {
@@ -251,28 +293,19 @@ void walk_nearest(const WidePose& pose, WideWalk& walk) {
     walk_by_rank<Rating::Gap>(pose, walk);
 }
 
-template <Rating kRating>
-HWY_INLINE void walk_in_batches(const WidePose& pose, WideWalk& walk) {
+void walk_all(const WidePose& pose, WideWalk& walk) {
     Visit visits[wide_batch_max];
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
         if (walk.leaf_count >= walk.leaves_at_once ||
             (walk.waiting_count == 0 && walk.leaf_count > 0)) {
-            visit_leaves<kRating>(pose, walk, visits);
+            visit_leaves<Rating::None>(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
-            visit_inner<kRating>(pose, walk, visits);
+            visit_inner(pose, walk, visits);
         } else {
             return;
         }
     }
-}
-
-void walk_all(const WidePose& pose, WideWalk& walk) {
-    walk_in_batches<Rating::None>(pose, walk);
-}
-
-void walk_within(const WidePose& pose, WideWalk& walk) {
-    walk_in_batches<Rating::Gap>(pose, walk);
 }
 
 } // namespace HWY_NAMESPACE
@@ -284,16 +317,11 @@ HWY_AFTER_NAMESPACE();
 namespace cd {
 
 HWY_EXPORT(walk_all);
-HWY_EXPORT(walk_within);
 HWY_EXPORT(walk_ranked);
 HWY_EXPORT(walk_nearest);
 
 void walk_wide(const WidePose& pose, WideWalk& walk) {
     HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
-}
-
-void walk_wide_within(const WidePose& pose, WideWalk& walk) {
-    HWY_DYNAMIC_DISPATCH(walk_within)(pose, walk);
 }
 
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {

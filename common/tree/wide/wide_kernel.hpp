@@ -7,6 +7,7 @@
 #include "common/tree/wide/wide_tree.hpp"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,10 +25,22 @@ struct WidePose {
     float relative_margin = 0; ///< Relative to the sum of the sizes and the distance of two nodes.
     float absolute_margin = 0; ///< A length; includes the reach.
     float reach = 0;           ///< Pairs of children that are farther apart are of no interest.
-    /// The binary exponent, as a float stores it, of the square of a distance with rank 0 in a
-    /// descent for the nearest pair. Each larger exponent is the next rank.
+    /// A direction: a unit vector in A's coordinates, and the same in B's; zero if there is none.
+    /// Descents within a reach also compare projections on it. The fourth entries are 0.
+    std::array<float, 4> along{};
+    std::array<float, 4> along_in_b{};
+    /// Ranks of a descent for the nearest pair: that of a distance is the leading bits of its
+    /// square, as a float stores them, less this number.
     std::int32_t rank_base = 0;
 };
+
+/// How many bits of a float are not part of its rank: a rank covers distances within 19 %.
+inline constexpr int rank_shift = 22;
+
+/// Returns the square of the least distance whose rank is `rank`, which is above 0.
+[[nodiscard]] inline float least_square_of(std::int32_t rank, const WidePose& pose) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(rank + pose.rank_base) << rank_shift);
+}
 
 /// The most pairs of nodes that are visited together.
 inline constexpr std::size_t wide_batch_max = 8;
@@ -74,16 +87,13 @@ struct WideWalk {
 /// the waiting pairs lack room for `wide_pairs_slack` more.
 void walk_wide(const WidePose& pose, WideWalk& walk);
 
-/// Does the same, but leaves out pairs of children whose boxes are farther apart than the reach,
-/// also if they are so on no single axis.
-void walk_wide_within(const WidePose& pose, WideWalk& walk);
-
 /// Visits the pairs in `ranked` singly, the most promising first, until one of the conditions of
 /// `walk_wide` holds. Sets no leaves aside.
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
 
 /// Does the same, but the nearest pairs come first: their rank is that of a lower bound of the
-/// distance of their boxes.
+/// distance of their boxes. Leaves out pairs that are farther apart than the reach in the space of
+/// either node's frame, or along the pose's direction.
 void walk_wide_nearest(const WidePose& pose, WideWalk& walk);
 
 } // namespace cd

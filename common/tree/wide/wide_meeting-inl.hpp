@@ -68,6 +68,7 @@ struct Meeting {
     alignas(16) float offset_b[4];   ///< T: the origin of B's node in the frame of A's.
     alignas(16) float per_step_a[4]; ///< The reciprocals of A's steps.
     alignas(16) float per_step_b[4]; ///< The reciprocals of B's steps.
+    float along;                     ///< How far B's node is from A's along the pose's direction.
     float margin; ///< The length that is added to each interval for rounding errors.
     WidePair nodes;
 };
@@ -83,6 +84,7 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
         w[i] = static_cast<float>((row[0] * b.origin[0] + row[1] * b.origin[1]) +
                                   (row[2] * b.origin[2] + (pose.translation[i] - a.origin[i])));
     }
+    to.along = pose.along[0] * w[0] + pose.along[1] * w[1] + pose.along[2] * w[2];
     const float back[3] = {-w[0], -w[1], -w[2]};
     const float* frame_a = a.columns[0].data();
     alignas(16) float turned_back[4];
@@ -131,6 +133,39 @@ make_turn(const float* frame, const float* rotation, const float* per_step, Turn
             const VRow column = combined(frame, rotation + 4 * c, i);
             hn::Store(hn::Mul(column, hn::Load(d, per_step + i)), d, to.entries[c] + i);
         }
+    }
+}
+
+/// Computes how far each child of a node reaches against a direction: the least product of it and a
+/// point relative to the node's origin, plus `offset`. The direction is one of the body's own.
+template <bool kBothLeaves>
+HWY_INLINE void project(
+    const WideBody& body, const Side& side, const float* direction, float offset, float* least) {
+    if constexpr (kBothLeaves) {
+        if (project_triangles(body, side, direction, offset, least)) {
+            return;
+        }
+    }
+    const Floats d;
+    const float* frame = side.node->columns[0].data();
+    float entry[3];
+    HWY_UNROLL(3)
+    for (std::size_t k = 0; k < 3; ++k) {
+        entry[k] =
+            0.5F * side.node->steps[k] *
+            (frame[k] * direction[0] + frame[4 + k] * direction[1] + frame[8 + k] * direction[2]);
+    }
+    HWY_UNROLL(4)
+    for (std::size_t lane = 0; lane < children; lane += lanes) {
+        V at = hn::Set(d, offset);
+        HWY_UNROLL(3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V low = low_of(side, k, lane);
+            const V high = high_of(side, k, lane);
+            at = hn::MulAdd(hn::Set(d, entry[k]), hn::Add(low, high), at);
+            at = hn::NegMulAdd(hn::Set(d, absolute(entry[k])), hn::Sub(high, low), at);
+        }
+        hn::Store(at, d, least + lane);
     }
 }
 

@@ -34,6 +34,7 @@ struct RowSide {
     const Side& children;
     const Intervals& seen; ///< Intervals of the children in the other node's frame.
     std::uint32_t found;   ///< Bit mask of the children that may overlap the other node.
+    const float* least;    ///< Of the children, against the pose's direction (`project`).
 };
 
 /// Makes a square of a gap a lower bound: (10) of wide_kernel.cpp.
@@ -74,6 +75,7 @@ template <Rating kRating>
 HWY_INLINE void find_rows(const RowSide& one,
                           const RowSide& others,
                           const WidePose& pose,
+                          float widened,
                           std::uint32_t* found,
                           Ranks* ranks) {
     const Floats d;
@@ -106,11 +108,12 @@ HWY_INLINE void find_rows(const RowSide& one,
                 const V own_high = own(one.children.high[k], i);
                 const V one_low = hn::Set(d, one.seen.low[k][i]);
                 const V one_high = hn::Set(d, one.seen.high[k][i]);
-                const M in_one =
-                    hn::Or(hn::Gt(seen_low[k], own_high), hn::Lt(seen_high[k], own_low));
-                const M in_others = hn::Or(hn::Lt(high[k], one_low), hn::Gt(low[k], one_high));
-                apart = hn::Or(apart, hn::Or(in_one, in_others));
-                if constexpr (kRating == Rating::Gap) {
+                if constexpr (kRating != Rating::Gap) {
+                    const M in_one =
+                        hn::Or(hn::Gt(seen_low[k], own_high), hn::Lt(seen_high[k], own_low));
+                    const M in_others = hn::Or(hn::Lt(high[k], one_low), hn::Gt(low[k], one_high));
+                    apart = hn::Or(apart, hn::Or(in_one, in_others));
+                } else {
                     const float step_one = one.children.node->steps[k];
                     const float step_others = others.children.node->steps[k];
                     square_in_one = add_gap(square_in_one,
@@ -135,10 +138,14 @@ HWY_INLINE void find_rows(const RowSide& one,
                 }
             }
             if constexpr (kRating == Rating::Gap) {
-                const V square = hn::Mul(hn::Max(square_in_one, square_in_others),
-                                         hn::Set(d, gap_square_factor));
-                apart = hn::Or(apart, hn::Gt(square, hn::Set(d, pose.reach * pose.reach)));
-                const auto exponents = hn::ShiftRight<23>(hn::BitCast(di, square));
+                const V along = hn::Max(hn::Add(hn::Load(d, others.least + lane),
+                                                hn::Set(d, one.least[i] + pose.reach - widened)),
+                                        hn::Zero(d));
+                const V square = hn::Mul(
+                    hn::Max(hn::Max(square_in_one, square_in_others), hn::Mul(along, along)),
+                    hn::Set(d, gap_square_factor));
+                apart = hn::Gt(square, hn::Set(d, pose.reach * pose.reach));
+                const auto exponents = hn::ShiftRight<rank_shift>(hn::BitCast(di, square));
                 hn::Store(
                     hn::Sub(exponents, hn::Set(di, pose.rank_base)), di, ranks->of[row] + lane);
             }
@@ -196,10 +203,11 @@ HWY_INLINE std::size_t pair_up(const RowSide& one,
                                const RowSide& others,
                                bool one_is_a,
                                const WidePose& pose,
+                               float widened,
                                std::uint32_t* to) {
     std::uint32_t found[children];
     Ranks ranks;
-    find_rows<kRating>(one, others, pose, found, &ranks);
+    find_rows<kRating>(one, others, pose, widened, found, &ranks);
     std::size_t count = 0;
     std::size_t row = 0;
     for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
@@ -219,10 +227,11 @@ HWY_INLINE void rank_pairs(const RowSide& one,
                            const RowSide& others,
                            bool one_is_a,
                            const WidePose& pose,
+                           float widened,
                            PairBuckets& to) {
     std::uint32_t found[children];
     Ranks ranks;
-    find_rows<kRating>(one, others, pose, found, &ranks);
+    find_rows<kRating>(one, others, pose, widened, found, &ranks);
     std::size_t row = 0;
     for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1, ++row) {
         const std::uint32_t own =

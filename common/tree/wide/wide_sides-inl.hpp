@@ -13,6 +13,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
@@ -108,6 +110,29 @@ HWY_INLINE std::uint32_t bits_of(M mask) {
 #endif
 }
 
+HWY_INLINE std::uint32_t children_mask(const Side& side) {
+    return (1u << side.count) - 1;
+}
+
+/// Returns the least of the first `count` numbers.
+HWY_INLINE float least_of(const float* numbers, std::uint32_t count) {
+    float least = numbers[0];
+    for (std::uint32_t i = 1; i < count; ++i) {
+        least = std::min(least, numbers[i]);
+    }
+    return least;
+}
+
+/// Returns a bit mask of the numbers, of the first `count`, that are not above a limit.
+HWY_INLINE std::uint32_t not_above(const float* numbers, std::uint32_t count, float limit) {
+    const Floats d;
+    std::uint32_t found = 0;
+    for (std::size_t lane = 0; lane < children; lane += lanes) {
+        found |= bits_of(hn::Not(hn::Gt(hn::Load(d, numbers + lane), hn::Set(d, limit)))) << lane;
+    }
+    return found & ((1u << count) - 1);
+}
+
 /// Computes the intervals of the children in the other node's frame and returns the mask of
 /// children that may overlap the other node's whole box.
 template <bool kByAxis>
@@ -174,6 +199,11 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody&,
                                        const Change<kByAxis>& change,
                                        Intervals& seen) {
     return see(side, change, seen);
+}
+
+/// Projects no triangles, because the vectors have too few lanes.
+HWY_INLINE bool project_triangles(const WideBody&, const Side&, const float*, float, float*) {
+    return false;
 }
 
 #else
@@ -309,6 +339,50 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
     };
     const std::size_t first = 3 * std::size_t{begin[0]};
     return body.floats != nullptr ? see_them(body.floats + first) : see_them(body.doubles + first);
+}
+
+/// Computes for each triangle of a leaf the least product of `direction` and a corner relative to
+/// the node's origin, plus `offset`.
+template <class T>
+HWY_INLINE void project_corners(const T* vertices,
+                                std::size_t count,
+                                const BlockCorners* corners,
+                                const Side& side,
+                                const float* direction,
+                                float offset,
+                                float* least) {
+    const Floats d;
+    alignas(64) float at[block_vertices_max + lanes];
+    for (std::size_t i = 0; i < count; i += lanes) {
+        V x;
+        V y;
+        V z;
+        load_vertices(vertices + 3 * i, side.node->origin, x, y, z);
+        V sum = hn::MulAdd(hn::Set(d, direction[0]), x, hn::Set(d, offset));
+        sum = hn::MulAdd(hn::Set(d, direction[1]), y, sum);
+        hn::Store(hn::MulAdd(hn::Set(d, direction[2]), z, sum), d, at + i);
+    }
+    for (std::size_t i = 0; i < side.count; ++i) {
+        const BlockCorners& of = corners[i];
+        least[i] = std::min(std::min(at[of[0]], at[of[1]]), at[of[2]]);
+    }
+}
+
+HWY_INLINE bool project_triangles(
+    const WideBody& body, const Side& side, const float* direction, float offset, float* least) {
+    const std::uint32_t* begin = body.vertex_begin + side.node->first;
+    const std::size_t count = begin[1] - begin[0];
+    const std::size_t first = 3 * std::size_t{begin[0]};
+    const BlockCorners* corners = body.corners + side.first;
+    const auto project_them = [&](const auto* vertices) HWY_ATTR {
+        project_corners(vertices, count, corners, side, direction, offset, least);
+    };
+    if (body.floats != nullptr) {
+        project_them(body.floats + first);
+    } else {
+        project_them(body.doubles + first);
+    }
+    return true;
 }
 
 #endif

@@ -11,6 +11,14 @@ namespace {
 
 constexpr double u = 0x1p-53; // Unit roundoff.
 
+distance_certificate::SixCorners<double> six(const std::array<Vec3, 6>& corners) {
+    distance_certificate::SixCorners<double> to;
+    for (std::size_t i = 0; i < 6; ++i) {
+        to[i] = {corners[i].x(), corners[i].y(), corners[i].z()};
+    }
+    return to;
+}
+
 } // namespace
 
 std::optional<bool> DoublePair::is_within(double d) const {
@@ -70,12 +78,17 @@ DoublePair DoubleDistance::look_at(const Corners& a, const Corners& b) const {
     if (!(all.magnitude >= local_length_least && all.magnitude <= local_length_most)) {
         return pair;
     }
-    distance_certificate::SixCorners<double> corners;
-    for (std::size_t i = 0; i < 6; ++i) {
-        corners[i] = {all.corners[i].x(), all.corners[i].y(), all.corners[i].z()};
-    }
-    pair.bounds = certified_bounds(corners, pair.feature, {all.error, u, scale_});
+    pair.bounds = certified_bounds(six(all.corners), pair.feature, {all.error, u, scale_});
     return pair;
+}
+
+Vec3 DoubleDistance::displacement(const Corners& a, const Corners& b) const {
+    const Placed all = placed(a, b);
+    const auto proposal =
+        distance_certificate::proposal_of(six(all.corners), likely_feature(all.corners), u);
+    return {proposal.y[0] - proposal.x[0],
+            proposal.y[1] - proposal.x[1],
+            proposal.y[2] - proposal.x[2]};
 }
 
 } // namespace cd

@@ -32,6 +32,9 @@ class DoubleDistance {
     [[nodiscard]] DoublePair look_at(const Corners& a, const Corners& b) const;
     /// Chooses a feature and proves nothing.
     [[nodiscard]] DoublePair choose(const Corners& a, const Corners& b) const;
+    /// Returns the vector from a point of A to one of B that are probably the nearest, in the
+    /// world.
+    [[nodiscard]] Vec3 displacement(const Corners& a, const Corners& b) const;
 
   private:
     /// A body's pose in doubles.

@@ -35,12 +35,17 @@ struct Brink {
     double clearance = 0;         ///< The distance of the two corners.
 };
 
-bool is_kept(const Brink& brink, double error_scale) {
+using Aim = WideDescent::Aim;
+
+/// A descent for the nearest pair compares projections on the direction in which the bodies part.
+bool is_kept(const Brink& brink, double error_scale, Aim aim) {
     const WideView a = brink.a.view().wide;
     const WideView b = brink.b.view().wide;
     WideDescent descent(relative_pose(brink.poses), error_scale);
     descent.restart(relative_pose(brink.poses), body_reach(brink.poses, brink.clearance));
-    for (descent.start(a, b); !descent.is_done();) {
+    descent.start(a, b, aim);
+    descent.set_direction(brink.poses.a.rotation().transpose() * brink.outwards);
+    while (!descent.is_done()) {
         for (const Candidate& pair : descent.next(256)) {
             if (a.triangles.ids[pair.a] == brink.triangle_a &&
                 b.triangles.ids[pair.b] == brink.triangle_b) {
@@ -54,9 +59,9 @@ bool is_kept(const Brink& brink, double error_scale) {
 using Brinks = std::vector<Brink>;
 
 /// Counts touching bodies that the descent misses.
-std::size_t lost_of(const Brinks& brinks, double error_scale) {
+std::size_t lost_of(const Brinks& brinks, double error_scale, Aim aim = Aim::All) {
     return static_cast<std::size_t>(std::ranges::count_if(
-        brinks, [&](const Brink& brink) { return !is_kept(brink, error_scale); }));
+        brinks, [&](const Brink& brink) { return !is_kept(brink, error_scale, aim); }));
 }
 
 /// Makes them with `maker` from many seeds and checks that they touch.
@@ -281,9 +286,9 @@ std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
         return std::nullopt;
     }
     if (random() % 2 == 0) {
-        return Brink{make_tree(small), make_tree(large->mesh), {turn.pose, *pose}, 0, 2};
+        return Brink{make_tree(small), make_tree(large->mesh), {turn.pose, *pose}, 0, 2, -outwards};
     }
-    return Brink{make_tree(large->mesh), make_tree(small), {*pose, turn.pose}, 2, 0};
+    return Brink{make_tree(large->mesh), make_tree(small), {*pose, turn.pose}, 2, 0, outwards};
 }
 
 /// Moves the bodies apart by a share of the smaller body's size. Leaves out those whose corners are
@@ -338,9 +343,24 @@ TEST(WideBounds, BodiesThatTouchAtTheBrinkAreNotLostButSomeAreWithSmallerMargins
             EXPECT_GT(lost_of(all.doubles, 0), 50u);
             EXPECT_GT(lost_of(all.doubles, 0.003), 0u);
         }
+        for (const Brinks* brinks : {&all.corners, &all.doubles, &all.far, &all.borders}) {
+            EXPECT_EQ(lost_of(*brinks, 1, Aim::Nearest), 0u) << "along a direction";
+        }
         // Far from the origin a body's steps exceed the rounding errors, and none of these boxes
         // ends on a whole step: margins of 0 would suffice here, but not less.
         EXPECT_GT(lost_of(all.far, -0.02), 5u);
+    });
+}
+
+TEST(WideBounds, MarginsAreNeededAlongADirectionThatPartsBodies) {
+    const Brinks corners =
+        brinks_of(600, [](auto& random) { return corner_on_corner(random, 0, 10); });
+    on_every_target([&](SimdTarget target) {
+        const std::size_t by_boxes = lost_of(corners, 0);
+        const std::size_t with_direction = lost_of(corners, 0, Aim::Nearest);
+        if (target == SimdTarget::Avx512 || target == SimdTarget::Avx2) {
+            EXPECT_GT(with_direction, by_boxes + 20) << by_boxes;
+        }
     });
 }
 
@@ -352,6 +372,7 @@ TEST(WideBounds, CornersAsFarApartAsTheReachAreNotLostButSomeAreWithSmallerMargi
         EXPECT_GT(brinks.size(), 100u);
         on_every_target([&](SimdTarget target) {
             EXPECT_EQ(lost_of(brinks, 1), 0u);
+            EXPECT_EQ(lost_of(brinks, 1, Aim::Nearest), 0u);
             if (target == SimdTarget::Avx512 || target == SimdTarget::Avx2) {
                 EXPECT_GT(lost_of(brinks, 0), 0u);
             }

@@ -40,6 +40,29 @@ std::vector<IdPair> candidates_of(const WideView& a,
     return found;
 }
 
+/// The same of a descent for the nearest pair, with a reach of 0.
+std::vector<IdPair> candidates_along(const WideView& a,
+                                     const WideView& b,
+                                     const PosePair& poses,
+                                     const Vec3& direction) {
+    WideDescent descent(relative_pose(poses));
+    std::vector<IdPair> found;
+    descent.start(a, b, WideDescent::Aim::Nearest);
+    descent.set_direction(direction);
+    while (!descent.is_done()) {
+        for (const Candidate& pair : descent.next(64)) {
+            found.emplace_back(a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+Vec3 any_direction(std::size_t seed) {
+    std::mt19937_64 random(seed);
+    return random_point(random, 1).normalized();
+}
+
 struct Tally {
     std::size_t contacts = 0;
     std::size_t candidates = 0;
@@ -58,6 +81,13 @@ void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally
         for (const ContactPair& pair : contacts) {
             ASSERT_TRUE(std::binary_search(found.begin(), found.end(), IdPair{pair.a, pair.b}))
                 << pair.a << " of A and " << pair.b << " of B";
+        }
+        // Whatever the direction, a descent for the nearest pair finds those at distance 0.
+        const auto nearest = candidates_along(
+            tree_a.view().wide, tree_b.view().wide, poses, any_direction(tally.contacts));
+        for (const ContactPair& pair : contacts) {
+            ASSERT_TRUE(std::binary_search(nearest.begin(), nearest.end(), IdPair{pair.a, pair.b}))
+                << pair.a << " of A and " << pair.b << " of B, along a direction";
         }
         tally.candidates += found.size();
         tally.pairs += a.triangles().size() * b.triangles().size();
