@@ -8,7 +8,7 @@ import { boxCornersOf } from "./src/scene/others_view";
 import { sceneEpisodesOf } from "./src/scene/scene_episodes";
 import { SceneRows, sumsByBody, topBodies } from "./src/scene/scene_rows";
 import { bestRow, drawnTrianglesMax, formOf, othersMax, othersOf, posesOf } from "./src/scene/step_bodies";
-import { pairsOfStep } from "./src/scene/step_pairs";
+import { othersText, pairsOfStep } from "./src/scene/step_pairs";
 import { Steps } from "./src/scene/steps";
 import { isNearEvent } from "./src/motion/motion";
 import { same } from "./test_tools";
@@ -59,6 +59,9 @@ const stepPairs = { rows, classes: [kind("separate"), kind("cross")] };
 const letters = ["a", "b", "car", "d", "e", "wall"].map((name) => ({ name }));
 same("the worst pair comes first", pairsOfStep(stepPairs, letters, ""), [1, 0]);
 same("pairs of a body", [pairsOfStep(stepPairs, letters, "WAL"), pairsOfStep(stepPairs, letters, "b")], [[1], []]);
+const shown = { form: "meshes", count: 3, boxes: 0, error: "" } as const;
+same("what is said of the others", othersText(shown, false), "3 other bodies near another at this step, faint.");
+same("a report without a mesh", othersText({ ...shown, boxes: 2 }, false).endsWith("Of 2 this report has no mesh, so boxes are drawn."), true);
 
 // A box from 1 to 3 along x, moved by 10.
 const corners = boxCornersOf({ pose: poseAt(10), low: [1, 0, 0], size: [2, 1, 1] });

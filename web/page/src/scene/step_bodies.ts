@@ -41,8 +41,16 @@ function chosen(job: Job, what: string, first: number, count: number, signal: Ab
     return getArray(`jobs/${encodeURIComponent(job.job)}/${what}?first=${first}&count=${count}`, signal);
 }
 
-export async function loadStep(job: Job, steps: Steps, step: number, signal: AbortSignal): Promise<StepBodies> {
-    const [first, end] = steps.rangeOf(step);
+/** Reads the scenarios [first, end) of one step, where those of all steps are not known. */
+export async function readRange(job: Job, step: number, signal: AbortSignal): Promise<[number, number]> {
+    const count = Math.min(2, (job.steps ?? 0) - step);
+    const { values } = await chosen(job, "steps", step, count, signal);
+    return [values[0], count === 2 ? values[2] : job.scenarios];
+}
+
+/** Loads a step; `steps` are null where they are not known. */
+export async function loadStep(job: Job, steps: Steps | null, step: number, signal: AbortSignal): Promise<StepBodies> {
+    const [first, end] = steps?.rangeOf(step) ?? (await readRange(job, step, signal));
     const count = Math.min(readMax, end - first);
     const [rows, classes, poses] = await Promise.all(
         ["bodies", "classes", "poses"].map((what) => chosen(job, what, first, count, signal)),

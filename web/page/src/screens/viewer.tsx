@@ -90,7 +90,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const drawing = useDrawing(canvas, model, contacts, state, heat, (camera) => change({ camera }));
     const { viewer } = drawing;
     const { steps, error: stepsError } = useSteps(report ? undefined : job);
-    const { bodies: stepBodies, error: stepError } = useStepBodies(job, steps, contacts);
+    const found = useStepBodies(job, steps, contacts, report !== undefined);
+    const { bodies: stepBodies, error: stepError } = found;
     const others = useOthers(job, viewer, contacts, stepBodies);
     const [listed, setListed] = useState(""); // Bodies whose pairs are listed.
     const bounds = useMemo(() => boundsOf(model, job), [model, job]);
@@ -254,6 +255,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
             />
             <Trust model={model} contacts={contacts} />
             {error && <Notice kind="bad">{error}</Notice>}
+            {found.isLeftOut && (
+                <Notice kind="warn">
+                    This report has no room for the other bodies of this step; <code>cdctl view {run}</code> shows them.
+                </Notice>
+            )}
             <Scrub
                 scenarios={scenarios}
                 isInReport={report !== undefined}
@@ -320,7 +326,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 state={state}
                                 bounds={bounds}
                                 hasMap={job.maps}
-                                hasOthers={steps !== null}
+                                hasOthers={steps !== null || (report !== undefined && stepBodies !== null)}
                                 lines={{
                                     areDrawn: hasLines,
                                     hasAllHits: hasLines && job.first_hits !== true,
@@ -366,7 +372,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             others={others}
                             text={listed}
                             setText={setListed}
-                            open={move}
+                            held={report?.scenarios}
+                            open={(number) => move(scenarios.placeOf(number))}
                         />
                     )}
                     {contacts && model && (
