@@ -31,6 +31,17 @@ std::string path_of(const std::string& job, std::string_view what, const Scenari
            "&count=" + std::to_string(choice.count);
 }
 
+/// Where the bodies are: of motions their keys, as the page draws them on their way.
+Result<HeldAnswer>
+read_poses(ViewedRun& run, const std::string& job, const ScenarioChoice& choice) {
+    if (run.manifest().query.motion) {
+        const auto keys = CD_TRY(run.keys(choice));
+        return HeldAnswer{path_of(job, "keys", choice), keys_npy(keys)};
+    }
+    const auto poses = CD_TRY(run.poses(choice));
+    return HeldAnswer{path_of(job, "poses", choice), poses_npy(poses)};
+}
+
 /// A step's answers, and the bodies that take part in it.
 struct HeldStep {
     std::vector<HeldAnswer> answers;
@@ -44,12 +55,11 @@ read_step(ViewedRun& run, const std::string& job, std::uint64_t step, std::uint6
     const ScenarioChoice choice = scenarios_of(run, read);
     const auto places = CD_TRY(run.places(choice));
     const auto classes = CD_TRY(run.classes(choice));
-    const auto poses = CD_TRY(run.poses(choice));
     HeldStep found;
     found.answers.push_back({path_of(job, "steps", rows), steps_npy(read)});
     found.answers.push_back({path_of(job, "bodies", choice), bodies_npy(places)});
     found.answers.push_back({path_of(job, "classes", choice), classes_npy(classes)});
-    found.answers.push_back({path_of(job, "poses", choice), poses_npy(poses)});
+    found.answers.push_back(CD_TRY(read_poses(run, job, choice)));
     for (const ScenePlace& place : places) {
         found.bodies.insert({place.body_a, place.body_b});
     }

@@ -256,6 +256,17 @@ Status ViewedRun::for_each_chosen(const ScenarioChoice& choice,
     return Done{};
 }
 
+Result<std::vector<MotionKeys>> ViewedRun::keys(const ScenarioChoice& choice) {
+    CD_TRY(choice.check(count(), limits::page_scenarios_max));
+    std::vector<MotionKeys> keys;
+    CD_TRY(for_each_chosen(choice, [&](const std::vector<Scenario>& scenarios) -> Status {
+        const auto some = CD_TRY(scene_motions(scenarios));
+        keys.insert(keys.end(), some.begin(), some.end());
+        return Done{};
+    }));
+    return keys;
+}
+
 Result<std::vector<ScenePlace>> ViewedRun::places(const ScenarioChoice& choice) {
     CD_TRY(choice.check(count(), limits::page_scenarios_max));
     if (!job_.scene) {

@@ -45,6 +45,8 @@ class ViewedRun {
     /// Each scenario's distance; NaN without one.
     [[nodiscard]] Result<std::vector<double>> distances(const ScenarioChoice& choice) const;
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
+    /// Returns each motion's poses at its begin and end. Errors: as `scene_motions`.
+    [[nodiscard]] Result<std::vector<MotionKeys>> keys(const ScenarioChoice& choice);
     /// Returns the step and the bodies of each scenario. Errors: NotFound unless it is a scene.
     [[nodiscard]] Result<std::vector<ScenePlace>> places(const ScenarioChoice& choice);
     /// Returns the number of steps of a scene; 0 of another run.

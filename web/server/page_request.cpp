@@ -25,10 +25,11 @@ constexpr std::array<NamedTopic, 4> plain_topics{{{"source", PageTopic::Source},
                                                   {"cluster", PageTopic::Cluster},
                                                   {"history", PageTopic::History},
                                                   {"jobs", PageTopic::Jobs}}};
-constexpr std::array<NamedTopic, 6> array_topics{{{"classes", PageTopic::Classes},
+constexpr std::array<NamedTopic, 7> array_topics{{{"classes", PageTopic::Classes},
                                                   {"counts", PageTopic::Counts},
                                                   {"distances", PageTopic::Distances},
                                                   {"poses", PageTopic::Poses},
+                                                  {"keys", PageTopic::Keys},
                                                   {"bodies", PageTopic::Bodies},
                                                   {"steps", PageTopic::Steps}}};
 constexpr std::array<NamedTopic, 2> body_topics{

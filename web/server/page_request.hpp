@@ -24,6 +24,7 @@ enum class PageTopic : std::uint8_t {
     Counts,
     Distances,
     Poses,
+    Keys,
     Bodies,
     Steps,
     Map,

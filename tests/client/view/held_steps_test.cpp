@@ -74,6 +74,22 @@ TEST_F(HeldSteps, AreWhatTheServerAnswers) {
     }
 }
 
+TEST_F(HeldSteps, OfMotionsHaveTheKeysOfAllBodies) {
+    auto run = view_scene(three_steps, make_sphere(1), "[motion]\nresolution = 0.1\n");
+    EXPECT_TRUE(offer(*run, {0}, take_all).is_empty());
+    ASSERT_EQ(answers_.size(), 4u);
+    EXPECT_EQ(answers_.back().path, "jobs/folder/keys?first=0&count=3");
+    const auto keys = run->keys({0, 3});
+    ASSERT_TRUE(keys) << keys.error().detail;
+    EXPECT_NEAR(keys.value()[0].from.a.translation().x(), 0.5, 1e-9) << "ball.0 at step 0";
+    EXPECT_NEAR(keys.value()[0].to.a.translation().x(), 0.4, 1e-9) << "at step 1";
+    EXPECT_EQ(run->keys({0, 99}).error().code, ErrorCode::BadInput);
+    Server server(std::move(run));
+    for (const HeldAnswer& each : answers_) {
+        EXPECT_TRUE(each.bytes == server.ask(each.path).bytes) << each.path;
+    }
+}
+
 TEST_F(HeldSteps, OfOneStepAreOfferedOnce) {
     auto run = view_scene(three_steps);
     EXPECT_TRUE(offer(*run, {3, 4, 5}, take_all).is_empty());

@@ -86,6 +86,22 @@ class Bodies(PageTest):
         self.assertEqual(self.find(".pair-names").text, "car.0 × car.1")
         self.keep_pictures("scene")
 
+    def test_all_bodies_move_with_a_step_of_motions(self):
+        folder = self.scenes.moving_crossing()
+        number = scenario_of(rows_of(folder), 2, CAR_0, POLE)
+        at = lambda facts, body: next(one["centre"] for one in facts["scene"]["centres"] if one["body"] == body)
+        self.open(folder, f"#/jobs/folder/{number}?tau=0")
+        facts = self.drawn(number)
+        # In the frame of the first car, which goes from x = -3 to x = -2. The cart's y is 1.8, then 1.2.
+        wanted = {0: ([4, 1.5, 0], [3, -0.3, -1]), 0.25: ([3.75, 1.35, 0], [2.75, -0.3, -1]), 1: ([3, 0.9, 0], [2, -0.3, -1])}
+        for tau, (cart, floor) in wanted.items():
+            self.browser.go(f"#/jobs/folder/{number}?tau={tau}")
+            facts = self.browser.wait("the time", lambda f, tau=tau: f["motion"]["tau"] == tau and f["scene"]["others"] > 0)
+            for body, place in ((CART, cart), (FLOOR, floor)):
+                for value, expected in zip(at(facts, body), place):
+                    self.assertAlmostEqual(value, expected, delta=1e-6)
+        self.keep_pictures("scene-motion")
+
     def test_bodies_with_one_mesh_read_it_once(self):
         self.browser.collect()
         before = len(self.browser.addresses)

@@ -37,6 +37,7 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j/counts?sample=7").topic, PageTopic::Counts);
     EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
+    EXPECT_EQ(parsed("jobs/j/keys?sample=7").topic, PageTopic::Keys);
     EXPECT_EQ(parsed("jobs/j/bodies?first=2&count=3").topic, PageTopic::Bodies);
     EXPECT_EQ(parsed("jobs/j/steps?sample=7").topic, PageTopic::Steps);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);

@@ -243,6 +243,13 @@ poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choic
     return rows;
 }
 
+Result<std::vector<MotionKeys>>
+motions_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
+    return scene_motions(read.scenarios);
+}
+
 Result<std::vector<ScenePlace>>
 places_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));

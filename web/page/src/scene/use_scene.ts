@@ -107,8 +107,8 @@ export function useOthers(job: Job, viewer: Viewer | null, contacts: Contacts | 
                 viewer.showOthers(
                     others.map((body, i): OtherBody => {
                         const { low, size } = job.bodies[body];
-                        const pose = step.poses.get(body) ?? [];
-                        return { body, pose, low: low as Vec3, size: size as Vec3, mesh: meshes[i] };
+                        const poseAt = step.poses.get(body) ?? (() => []);
+                        return { body, poseAt, low: low as Vec3, size: size as Vec3, mesh: meshes[i] };
                     }),
                 );
                 const boxes = form === "meshes" ? meshes.filter((mesh) => mesh === null).length : 0;
