@@ -329,10 +329,8 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
                          "its level is " +
                          std::string(to_text(manifest().query.level)));
     }
-    if (parts_.size() != 2) {
-        return bad_input("parts are looked for in jobs with two bodies only");
-    }
-    return PartFilter::make({parts_[0], parts_[1]}, wanted);
+    return PartFilter::make(
+        job_.names, [&](std::uint32_t body) { return parts(body); }, wanted);
 }
 
 Result<NextFound> ViewedRun::next(const NextContact& wanted) {

@@ -1,6 +1,8 @@
 /** Tests of what the page computes of scenes of many bodies. */
 import { classNames } from "./src/base/classes";
 import type { Pose, Vec3 } from "./src/base/types";
+import { splitPart } from "./src/base/part_name";
+import { sceneParts } from "./src/job/groups";
 import { Results } from "./src/job/results";
 import { bodyNumber, noFilter, readFilter, readRange, writeFilter } from "./src/scene/filter";
 import { MeshStore } from "./src/scene/meshes";
@@ -70,6 +72,13 @@ same("pairs of a body", [pairsOfStep(stepPairs, letters, "WAL"), pairsOfStep(ste
 const shown = { form: "meshes", count: 3, boxes: 0, error: "" } as const;
 same("what is said of the others", othersText(shown, false), "3 other bodies near another at this step, faint.");
 same("a report without a mesh", othersText({ ...shown, boxes: 2 }, false).endsWith("Of 2 this report has no mesh, so boxes are drawn."), true);
+
+// The groups of a scene name parts with their bodies.
+const bodiesOfGroups = new Set(["car.0", "hall/door", "wall"]);
+same("a body and its part", splitPart("car.0/wheel/left", bodiesOfGroups), { body: "car.0", part: "wheel/left" });
+same("a body with a slash", splitPart("hall/door/leaf", bodiesOfGroups), { body: "hall/door", part: "leaf" });
+same("no body of the scene", splitPart("lorry/wheel", bodiesOfGroups), null);
+same("the link of a group", sceneParts(bodiesOfGroups, { a: "car.0/wheel", b: "hall/door/le*f" }), { part: "car.0/wheel", with: "hall\\/door/le\\*f" });
 
 // A box from 1 to 3 along x, moved by 10.
 const corners = boxCornersOf({ pose: poseAt(10), low: [1, 0, 0], size: [2, 1, 1] });

@@ -102,6 +102,54 @@ class Bodies(PageTest):
                     self.assertAlmostEqual(value, expected, delta=1e-6)
         self.keep_pictures("scene-motion")
 
+    def check_parts(self, job):
+        """Follows the contacts of the first car's wheel with the floor, over all scenarios of a scene."""
+        pairs = pairs_by_scenario(self.folder)
+        wheels = [n for n, (a, _) in sorted(pairs.items()) if self.rows[n][1:] == ("car.0", "floor") and max(a) >= 12]
+        self.browser.wait("a screen", lambda f: f["screen"] in ("job", "viewer"))
+        self.browser.go(f"#/jobs/{job}/{wheels[0]}?part=car.0/wheel&with=floor/floor")
+        facts = self.browser.wait("the wheel", lambda f: f.get("scenario") == wheels[0] and f["parts"] == ["wheel", "floor"])
+        self.assertTrue(all(one >= 12 for one in facts["highlighted"][0]))
+        self.browser.wait_text("only car.0/wheel × floor/floor")
+        for number in wheels[1:]:
+            self.browser.press("n")
+            facts = self.browser.scenario(number)
+            self.assertEqual(facts["parts"], ["wheel", "floor"])
+        self.browser.press("n")
+        self.browser.wait_text("no contact after this scenario")
+
+    def test_the_next_contact_is_of_the_parts_of_two_bodies(self):
+        self.open(self.folder, "#/jobs/folder")
+        self.check_parts("folder")
+        self.keep_pictures("scene-parts")
+
+    def test_the_part_of_one_body_is_found_with_all_other_bodies(self):
+        pairs = pairs_by_scenario(self.folder)
+        side = lambda n: self.rows[n][1:].index("car.1") if "car.1" in self.rows[n][1:] else -1
+        wheels = [n for n in sorted(pairs) if side(n) >= 0 and max(pairs[n][side(n)]) >= 12]
+        self.assertGreater(len({self.rows[n][1:] for n in wheels}), 1, "with several bodies, as A and as B")
+        part = ["part", "with"][side(wheels[0])]
+        self.open(self.folder, f"#/jobs/folder/{wheels[0]}?{part}=car.1/wheel")
+        self.browser.scenario(wheels[0])
+        for number in wheels[1:]:
+            self.browser.press("n")
+            facts = self.browser.scenario(number)
+            self.browser.wait("its part", lambda f, n=number: f["parts"][side(n)] == "wheel")
+        self.assertEqual(facts["errors"], [])
+
+    def test_a_group_leads_to_the_contacts_of_its_parts(self):
+        self.open(self.folder, "#/jobs/folder")
+        self.browser.wait_text("parts in contact")
+        self.find("[aria-label='parts whose name holds']").send_keys("car.1/wheel")
+        self.browser.wait_frames()
+        rows = self.browser.driver.find_elements(By.CSS_SELECTOR, "[aria-label='parts in contact'] tbody tr")
+        self.assertGreater(len(rows), 0)
+        self.assertTrue(all("car.1/wheel" in row.text for row in rows))
+        link = rows[0].find_element(By.CSS_SELECTOR, "a")
+        self.browser.driver.execute_script("arguments[0].click()", link)
+        facts = self.browser.wait("its contacts", lambda f: f.get("scenario") is not None and f["highlighted"][0])
+        self.assertIn("wheel", facts["parts"])
+
     def test_bodies_with_one_mesh_read_it_once(self):
         self.browser.collect()
         before = len(self.browser.addresses)
@@ -194,6 +242,7 @@ class Bodies(PageTest):
         self.browser.open(f"{cluster.page}#/jobs/{job}")
         self.check_crossing(job)
         self.check_filter(job)
+        self.check_parts(job)
 
     def test_above_two_hundred_bodies_boxes_are_drawn(self):
         self.open(self.scenes.crowd(202), "#/jobs/folder/0")
