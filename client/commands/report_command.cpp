@@ -253,6 +253,10 @@ Result<int> perform(const ReportCommand& command) {
     CD_TRY(check_size(html.size(), command));
     if (!command.pictures.empty()) {
         CD_TRY(write_pictures(command.pictures, at_hand.job, pictured, &InterruptGuard::has_come));
+        if (shots) {
+            CD_TRY(write_thickness_pictures(
+                command.pictures, at_hand.run.records(), at_hand.job, &InterruptGuard::has_come));
+        }
     }
     CD_TRY(write_report(command.out,
                         html,
