@@ -97,6 +97,7 @@ class Report(PageTest):
         self.assertEqual((facts["scene"]["others"], facts["verified"]), (3, True))
         said = "document.getElementById('page').shadowRoot.textContent"
         self.browser.wait("the note", lambda f: "3 other bodies near another at this step, faint." in self.ask(said))
+        self.middle()
         self.browser.picture("report-scene")
         step, seen = facts["scene"]["step"], facts["scenario"]
         pairs = "[...document.getElementById('page').shadowRoot.querySelectorAll('.pairs button')]"
