@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { numberOf } from "../base/classes";
 import { splitPart, writePart } from "../base/part_name";
 import { scenarioLink } from "../base/route";
-import { asksShots, bodyNames, isScene, type Group, type Job } from "../base/types";
+import { asksShots, type Body, bodyNames, isScene, type Group, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { ClassMark, Name, Panel } from "../ui/small";
 import { type Column, Table } from "../ui/table";
@@ -41,12 +41,20 @@ export function sceneParts(bodies: ReadonlySet<string>, { a, b }: Pick<Group, "a
     return { part: writePart(0, one.part, names), with: writePart(1, other.part, names) };
 }
 
+/** The names of a job's bodies, made once, since a scene may have many. */
+const knownNames = new WeakMap<readonly Body[], ReadonlySet<string>>();
+
+function namesOf(bodies: readonly Body[]): ReadonlySet<string> {
+    const names = knownNames.get(bodies) ?? new Set(bodies.map(({ name }) => name));
+    knownNames.set(bodies, names);
+    return names;
+}
+
 /** Opens the worst scenario of a group, with its contacts alone. */
 function worstLink(job: Job, group: Group): string {
     const { a, b, worst } = group;
     if (isScene(job)) {
-        const names = new Set(job.bodies.map(({ name }) => name));
-        return scenarioLink(job.job, worst, sceneParts(names, group));
+        return scenarioLink(job.job, worst, sceneParts(namesOf(job.bodies), group));
     }
     const bodies = bodyNames(job);
     return scenarioLink(job.job, worst, { part: writePart(0, a, bodies), with: writePart(1, b, bodies) });
