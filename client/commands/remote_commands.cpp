@@ -4,15 +4,19 @@
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
+#include "client/export/motion_times.hpp"
 #include "client/report/explain_report.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
+#include "web/server/scene/scene_rows.hpp"
 #include "web/status/cluster_report.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -26,19 +30,64 @@ int print(const std::string& text) {
     return exit_done;
 }
 
-/// Reads a job's results for its least distance; nothing if the job does not ask for distances, or
-/// has more scenarios than are worth it.
+/// Reads a job's results for its least distance.
 Result<std::optional<LeastDistance>>
 least_of(Connection& connection, const JobStatus& status, const Submit& job) {
     std::optional<LeastDistance> least;
-    const std::uint64_t scenarios = status.summary.total;
-    if (job.query.question == Question::Distance && scenarios <= limits::watch_scenarios_max) {
-        CD_TRY(connection.fetch(status.job, 0, scenarios, [&](const ScenarioResult& result) {
-            note_least(result, job.unit, least);
-            return Status(Done{});
-        }));
-    }
+    CD_TRY(connection.fetch(status.job, 0, status.summary.total, [&](const ScenarioResult& result) {
+        note_least(result, job.unit, least);
+        return Status(Done{});
+    }));
     return least;
+}
+
+/// Tells the time of an event by the labels of its scenario alone. Times of poses rise, so that the
+/// first event by numbers is the first by time.
+Result<FirstEvent>
+timed_event(Connection& connection, JobId job, const FirstEvent& event, ScenarioResult result) {
+    auto read = CD_TRY(connection.fetch_poses(job, event.scenario, 1));
+    result.index = 0; // The labels are those of one scenario.
+    FirstEvent timed =
+        *MotionTimes(std::make_shared<const PoseLabels>(std::move(read.labels))).event(result);
+    timed.scenario = event.scenario;
+    return timed;
+}
+
+/// Reads the results of a job of motions for their first event.
+Result<std::optional<FirstEvent>>
+first_event_of(Connection& connection, const JobStatus& status, const Submit& job) {
+    const auto steps = CD_TRY(steps_of(job));
+    const MotionTimes times = steps == nullptr ? MotionTimes() : MotionTimes(steps);
+    std::optional<FirstEvent> first;
+    ScenarioResult result_of_first;
+    CD_TRY(connection.fetch(status.job, 0, status.summary.total, [&](const ScenarioResult& result) {
+        const bool had_one = first.has_value();
+        keep_first(times.event(result), first);
+        if (first && (!had_one || first->scenario == result.index)) {
+            result_of_first = result;
+        }
+        return Status(Done{});
+    }));
+    if (first && job.poses.labels.has_end_times) {
+        first = CD_TRY(timed_event(connection, status.job, *first, result_of_first));
+    }
+    return first;
+}
+
+/// Reads what only the results of a job tell; nothing of one with more scenarios than are worth it.
+Result<RunFindings>
+findings_of(Connection& connection, const JobStatus& status, const Submit& job) {
+    RunFindings findings;
+    if (status.summary.total > limits::watch_scenarios_max) {
+        return findings;
+    }
+    if (job.query.question == Question::Distance) {
+        findings.least = CD_TRY(least_of(connection, status, job));
+    }
+    if (job.query.motion) {
+        findings.first_event = CD_TRY(first_event_of(connection, status, job));
+    }
+    return findings;
 }
 
 } // namespace
@@ -55,7 +104,7 @@ Result<int> perform(const WatchCommand& command) {
         print(job_json(status));
     } else if (!command.quiet && !command.only_wait) {
         RunReport report = report_of(status, job.query);
-        report.findings.least = CD_TRY(least_of(*connection, status, job));
+        report.findings = CD_TRY(findings_of(*connection, status, job));
         print(summary_text(report, {colours_wanted(stdout), command.statistics}));
     }
     CD_TRY(check_done(status, id));

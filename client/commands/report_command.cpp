@@ -17,6 +17,7 @@
 #include "client/groups/groups_csv.hpp"
 #include "client/trees/body_trees.hpp"
 #include "client/view/held_answers.hpp"
+#include "client/view/held_steps.hpp"
 #include "client/view/viewed_run.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
@@ -25,11 +26,13 @@
 #include "common/core/version.hpp"
 #include "common/core/words.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +76,29 @@ PageOrigin origin_of(const ViewedRun& run, const ReportCommand& command) {
         PageOrigin::Kind::Remote, "cdctl " + std::string(version), where.master, false, where.job};
 }
 
+/// Adds the other bodies of a scene's steps, as far as the report has room; says what is left out.
+Status add_steps(EmbeddedViewer& viewer,
+                 ViewedRun& run,
+                 const std::string& job,
+                 std::span<const std::uint64_t> scenarios,
+                 const ReportCommand& command) {
+    // The rest of the report keeps its room.
+    const std::uint64_t bytes_max =
+        command.bytes_max - std::min(command.bytes_max, limits::report_bytes_max);
+    const auto offer = [&](std::span<const HeldAnswer> answers) {
+        return viewer.add_if_room(answers, bytes_max);
+    };
+    const LeftOut left_out =
+        CD_TRY(offer_steps(run, job, scenarios, offer, &InterruptGuard::has_come));
+    if (!left_out.is_empty()) {
+        std::fprintf(stderr,
+                     "the viewer has no room for %s; cdctl view %s shows them\n",
+                     left_out.text().c_str(),
+                     shell_word(command.run).c_str());
+    }
+    return Done{};
+}
+
 /// Makes the viewer of the worst scenarios; nothing if it is not asked for or has nothing to show.
 Result<std::optional<EmbeddedViewer>>
 make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) {
@@ -96,7 +122,9 @@ make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) 
         viewer->add(answer);
         return check_size(viewer->bytes(), command);
     };
-    CD_TRY(for_each_answer(*run, origin_of(*run, command), worst, take, &InterruptGuard::has_come));
+    const PageOrigin origin = origin_of(*run, command);
+    CD_TRY(for_each_answer(*run, origin, worst, take, &InterruptGuard::has_come));
+    CD_TRY(add_steps(*viewer, *run, origin.job, worst, command));
     return viewer;
 }
 
@@ -225,6 +253,10 @@ Result<int> perform(const ReportCommand& command) {
     CD_TRY(check_size(html.size(), command));
     if (!command.pictures.empty()) {
         CD_TRY(write_pictures(command.pictures, at_hand.job, pictured, &InterruptGuard::has_come));
+        if (shots) {
+            CD_TRY(write_thickness_pictures(
+                command.pictures, at_hand.run.records(), at_hand.job, &InterruptGuard::has_come));
+        }
     }
     CD_TRY(write_report(command.out,
                         html,

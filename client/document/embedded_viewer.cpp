@@ -21,24 +21,35 @@ std::string_view text_of(const PageAsset& asset) {
     return {reinterpret_cast<const char*>(asset.bytes.data()), asset.bytes.size()};
 }
 
-} // namespace
-
-EmbeddedViewer::EmbeddedViewer() {
-    add_packed("app.css", asset("/app.css").gzip, false);
-}
-
-void EmbeddedViewer::add(const HeldAnswer& answer) {
-    add_packed(answer.path, gzip(answer.bytes), answer.is_cut);
-}
-
-void EmbeddedViewer::add_packed(const std::string& path,
-                                std::span<const std::byte> gzip,
-                                bool is_cut) {
+/// Makes the element that holds an answer, which is packed already.
+Html held(const std::string& path, std::span<const std::byte> gzip, bool is_cut) {
     Html::Attributes attributes{{"data-path", path}};
     if (is_cut) {
         attributes.emplace_back("data-cut", "true");
     }
-    answers_ += Html::element("template", base64(gzip), attributes);
+    return Html::element("template", base64(gzip), attributes);
+}
+
+Html held(const HeldAnswer& answer) {
+    return held(answer.path, gzip(answer.bytes), answer.is_cut);
+}
+
+} // namespace
+
+EmbeddedViewer::EmbeddedViewer() : answers_(held("app.css", asset("/app.css").gzip, false)) {}
+
+void EmbeddedViewer::add(const HeldAnswer& answer) {
+    answers_ += held(answer);
+}
+
+bool EmbeddedViewer::add_if_room(std::span<const HeldAnswer> answers, std::uint64_t bytes_max) {
+    Html more;
+    for (const HeldAnswer& answer : answers) {
+        more += held(answer);
+    }
+    const bool has_room = bytes() + more.markup().size() <= bytes_max;
+    answers_ += has_room ? more : Html();
+    return has_room;
 }
 
 Html EmbeddedViewer::section() {

@@ -5,6 +5,7 @@
 #include "client/view/held_answers.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace cd {
@@ -16,6 +17,9 @@ class EmbeddedViewer {
     EmbeddedViewer();
 
     void add(const HeldAnswer& answer);
+    /// Adds answers that are of use only together, if the viewer then has at most so many bytes.
+    /// Returns whether it added them.
+    [[nodiscard]] bool add_if_room(std::span<const HeldAnswer> answers, std::uint64_t bytes_max);
     /// Returns the size of the viewer in the document.
     [[nodiscard]] std::uint64_t bytes() const { return script().size() + answers_.markup().size(); }
 
@@ -28,8 +32,6 @@ class EmbeddedViewer {
     [[nodiscard]] static std::string_view script();
 
   private:
-    void add_packed(const std::string& path, std::span<const std::byte> gzip, bool is_cut);
-
     Html answers_;
 };
 

@@ -7,6 +7,7 @@
 #include "common/job/answer_poses.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace cd {
@@ -37,6 +38,20 @@ Status for_each_scenario(const PreparedJob& job,
 
 } // namespace
 
+std::vector<ShownBody> shown_bodies(const PreparedJob& job) {
+    std::vector<ShownBody> shown;
+    std::map<Sha256, std::size_t> places;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        const auto [place, is_new] = places.try_emplace(job.meshes[i]->hash(), shown.size());
+        if (is_new || !job.scene) {
+            shown.push_back({i, 0});
+        } else {
+            ++shown[place->second].others;
+        }
+    }
+    return shown;
+}
+
 Result<std::string> ReportPictures::png_within_limit(const Image& image) {
     std::string png = CD_TRY(png_bytes(image));
     if (bytes_ + png.size() > limits::report_pictures_bytes_max) {
@@ -49,8 +64,12 @@ Result<std::string> ReportPictures::png_within_limit(const Image& image) {
 Status ReportPictures::draw(const PreparedJob& job,
                             const std::vector<ScenarioResult>& results,
                             const StopCheck& stop) {
-    for (const auto& mesh : job.meshes) {
-        bodies_.push_back(CD_TRY(png_within_limit(draw_parts(*mesh, small_size))));
+    for (const ShownBody& each : shown_bodies(job)) {
+        if (bodies_.size() == bodies_max) {
+            break;
+        }
+        const Image image = draw_parts(*job.meshes[each.body], small_size);
+        bodies_.push_back(CD_TRY(png_within_limit(image)));
     }
     return for_each_scenario(
         job, results, stop, [&](const ScenarioResult& result, const auto& bodies) -> Status {
@@ -65,8 +84,11 @@ Status write_pictures(const std::filesystem::path& folder,
                       const std::vector<ScenarioResult>& results,
                       const StopCheck& stop) {
     CD_TRY(make_directories(folder));
-    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        CD_TRY(write_png(draw_parts(*job.meshes[i]), folder / (i == 0 ? "a.png" : "b.png")));
+    for (const ShownBody& each : shown_bodies(job)) {
+        const std::string name = job.scene        ? "body-" + std::to_string(each.body)
+                                 : each.body == 0 ? "a"
+                                                  : "b";
+        CD_TRY(write_png(draw_parts(*job.meshes[each.body]), folder / (name + ".png")));
     }
     return for_each_scenario(
         job, results, stop, [&](const ScenarioResult& result, const auto& bodies) -> Status {

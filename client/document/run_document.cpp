@@ -38,6 +38,13 @@ bool coincide(const PosePair& poses) {
            poses.a.rotation() == poses.b.rotation();
 }
 
+/// Says how many more bodies have the mesh of a shown one.
+std::string others_text(const ShownBody& body) {
+    return body.others == 0   ? ""
+           : body.others == 1 ? " and 1 more body"
+                              : " and " + grouped(body.others) + " more bodies";
+}
+
 } // namespace
 
 Html RunDocument::verdict() const {
@@ -104,9 +111,11 @@ Html RunDocument::distances() const {
 
 Html RunDocument::bodies() const {
     Html cards;
-    for (std::size_t i = 0; i < job_.meshes.size(); ++i) {
-        const Mesh& mesh = *job_.meshes[i];
-        const ManifestBody& body = manifest_.bodies[i];
+    const std::vector<ShownBody> shown = shown_bodies(job_);
+    const std::size_t count = std::min(shown.size(), ReportPictures::bodies_max);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Mesh& mesh = *job_.meshes[shown[i].body];
+        const ManifestBody& body = manifest_.bodies[shown[i].body];
         const BodyLine line = describe_body(body.name, manifest_.unit, mesh);
         const std::string file = std::filesystem::path(body.file).filename().string();
         std::string words = grouped(line.triangles) + " triangles, " + counted(line.parts, "part") +
@@ -117,15 +126,22 @@ Html RunDocument::bodies() const {
                                         line.size.z(),
                                         manifest_.unit);
         Html caption = Html::element("b",
-                                     std::string(i == 0 ? "A  " : "B  ") + short_name(body.name) +
-                                         ", " + short_name(file));
+                                     (job_.scene ? ""
+                                      : i == 0   ? "A  "
+                                                 : "B  ") +
+                                         short_name(body.name) + others_text(shown[i]) + ", " +
+                                         short_name(file));
         caption += Html::element("br", Html());
         caption += Html::text(words + ", SHA-256 " + to_short_hex(body.mesh));
         cards += html_figure(i < pictures_.bodies().size() ? pictures_.bodies()[i] : "",
                              caption,
                              "body " + short_name(body.name));
     }
-    return html_section("Bodies", Html::element("div", cards, {{"class", "cards"}}));
+    Html content = Html::element("div", cards, {{"class", "cards"}});
+    if (count < shown.size()) {
+        content += paragraph("Bodies of " + grouped(shown.size() - count) + " more meshes.");
+    }
+    return html_section("Bodies", content);
 }
 
 std::string RunDocument::part_pairs_of(const ScenarioResult& result) {

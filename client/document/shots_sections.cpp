@@ -15,22 +15,45 @@ namespace {
 
 constexpr std::size_t parts_max = 100;
 
+/// What reading the records of lines needs.
+struct ShotsOfJob {
+    std::shared_ptr<const ShotViews> views;
+    std::shared_ptr<const PassageFinder> finder;
+};
+
+ShotsOfJob shots_of(const PreparedJob& job) {
+    const auto given = views_of(job.spec.poses, *job.meshes[0]);
+    const auto views = given ? given : std::make_shared<const ShotViews>();
+    return {views, make_finder(*job.meshes[0], job.meshes[1], *views)};
+}
+
+/// Calls `take` with each result.
+template <class Take>
+Status for_each_shot(const RecordFile& records, const StopCheck& stop, Take take) {
+    return records.for_each([&](const KeptRecord& record) -> Status {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        take(record.result);
+        return Done{};
+    });
+}
+
+std::string file_name_of(const ShotView& view) {
+    return "thickness-az" + exact_text(view.azimuth_deg) + "-el" + exact_text(view.elevation_deg) +
+           ".png";
+}
+
 } // namespace
 
 Result<ShotsSections>
 ShotsSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
-    const auto given = views_of(job.spec.poses, *job.meshes[0]);
-    const auto views = given ? given : std::make_shared<const ShotViews>();
-    const auto finder = make_finder(*job.meshes[0], job.meshes[1], *views);
+    const auto [views, finder] = shots_of(job);
     ShotSums sums(finder, *views, job.spec.unit);
     ThicknessPictures pictures(finder, views);
-    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
-        if (stop && stop()) {
-            return interrupted();
-        }
-        sums.add(record.result);
-        pictures.add(record.result);
-        return Done{};
+    CD_TRY(for_each_shot(records, stop, [&](const ScenarioResult& result) {
+        sums.add(result);
+        pictures.add(result);
     }));
     ShotsSections sections;
     sections.unit_ = job.spec.unit;
@@ -95,6 +118,23 @@ Html ShotsSections::pictures() const {
                                   : std::string()));
     content += Html::element("div", figures, {{"class", "cards"}});
     return html_section("Thickness", content);
+}
+
+Status write_thickness_pictures(const std::filesystem::path& folder,
+                                const RecordFile& records,
+                                const PreparedJob& job,
+                                const StopCheck& stop) {
+    const auto [views, finder] = shots_of(job);
+    ThicknessPictures pictures(finder, views, large_thickness);
+    CD_TRY(
+        for_each_shot(records, stop, [&](const ScenarioResult& result) { pictures.add(result); }));
+    for (std::uint32_t i = 0; i < pictures.count(); ++i) {
+        const Image image = pictures.image(i);
+        const auto side = static_cast<unsigned>(large_thickness.side);
+        const unsigned times = std::max(1u, side / std::max(image.width, image.height));
+        CD_TRY(write_png(enlarged(image, times), folder / file_name_of(views->view(i))));
+    }
+    return Done{};
 }
 
 } // namespace cd

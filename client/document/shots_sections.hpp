@@ -11,6 +11,7 @@
 #include "common/job/result/record_file.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,13 @@ class ShotsSections {
     std::vector<View> views_;
     std::size_t directions_ = 0;
 };
+
+/// Writes a large picture of the thickness in each of the first 64 directions into a folder, such
+/// as `thickness-az30-el-15.png` of azimuth 30 and elevation -15 degrees; none for lines of a file.
+/// A line is a square of pixels. Errors: Io; Interrupted.
+[[nodiscard]] Status write_thickness_pictures(const std::filesystem::path& folder,
+                                              const RecordFile& records,
+                                              const PreparedJob& job,
+                                              const StopCheck& stop);
 
 } // namespace cd

@@ -5,9 +5,21 @@
 
 #include <png.h>
 
+#include <cstddef>
 #include <string>
 
 namespace cd {
+
+Image enlarged(const Image& image, unsigned times) {
+    Image large{image.width * times, image.height * times, {}};
+    large.pixels.reserve(static_cast<std::size_t>(large.width) * large.height);
+    for (std::size_t y = 0; y < large.height; ++y) {
+        for (std::size_t x = 0; x < large.width; ++x) {
+            large.pixels.push_back(image.pixels[y / times * image.width + x / times]);
+        }
+    }
+    return large;
+}
 
 Result<std::string> png_bytes(const Image& image) {
     png_image header{};

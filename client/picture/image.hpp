@@ -25,6 +25,9 @@ struct Image {
     std::vector<Colour> pixels;
 };
 
+/// Returns the image with each pixel as a square of `times` pixels a side.
+[[nodiscard]] Image enlarged(const Image& image, unsigned times);
+
 /// Returns the bytes of a PNG file with 8 bits per channel. Errors: Io.
 [[nodiscard]] Result<std::string> png_bytes(const Image& image);
 

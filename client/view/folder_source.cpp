@@ -80,6 +80,12 @@ void FolderSource::poses(const std::string& id, const ScenarioChoice& choice, Ta
     answer(id, std::move(take), [this, choice] { return run_->poses(choice); });
 }
 
+void FolderSource::keys(const std::string& id,
+                        const ScenarioChoice& choice,
+                        Take<std::vector<MotionKeys>> take) {
+    answer(id, std::move(take), [this, choice] { return run_->keys(choice); });
+}
+
 void FolderSource::bodies(const std::string& id,
                           const ScenarioChoice& choice,
                           Take<std::vector<ScenePlace>> take) {

@@ -4,7 +4,6 @@
 #include "web/server/page_arrays.hpp"
 #include "web/server/page_json.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -28,14 +27,16 @@ JobView job_of(const ViewedRun& run, const PageOrigin& origin) {
     return job;
 }
 
-Status take_meshes(const ViewedRun& run, const JobView& job, const TakeAnswer& take) {
-    for (std::size_t i = 0; i < job.bodies.size(); ++i) {
-        const Sha256& hash = job.bodies[i].body.mesh;
-        const bool is_first =
-            std::none_of(job.bodies.begin(),
-                         job.bodies.begin() + static_cast<std::ptrdiff_t>(i),
-                         [&](const BodyView& each) { return each.body.mesh == hash; });
-        if (is_first) {
+using Bodies = std::set<std::uint32_t>;
+
+Status take_meshes(const ViewedRun& run,
+                   const JobView& job,
+                   const Bodies& bodies,
+                   const TakeAnswer& take) {
+    std::set<Sha256> taken;
+    for (const std::uint32_t body : bodies) {
+        const Sha256& hash = job.bodies[body].body.mesh;
+        if (taken.insert(hash).second) {
             CD_TRY(take({"meshes/" + to_hex(hash), run.mesh(hash)->canonical_bytes()}));
         }
     }
@@ -50,10 +51,11 @@ Status take_maps(const ViewedRun& run, const JobView& job, const TakeAnswer& tak
     return Done{};
 }
 
-Status take_parts(const ViewedRun& run, const JobView& job, const TakeAnswer& take) {
-    for (std::size_t i = 0; i < job.bodies.size(); ++i) {
-        const auto parts = CD_TRY(run.parts(i));
-        const std::string path = "jobs/" + job.row.id + "/parts/" + std::to_string(i);
+Status
+take_parts(const ViewedRun& run, const JobView& job, const Bodies& bodies, const TakeAnswer& take) {
+    for (const std::uint32_t body : bodies) {
+        const auto parts = CD_TRY(run.parts(body));
+        const std::string path = "jobs/" + job.row.id + "/parts/" + std::to_string(body);
         CD_TRY(take({path, parts_npy(parts->runs)}));
         CD_TRY(take({path + "/names", bytes_of(part_names_json(parts->names))}));
     }
@@ -85,6 +87,18 @@ Status take_scenario(const std::string& path,
 
 } // namespace
 
+Result<Bodies> bodies_of(ViewedRun& run, std::span<const std::uint64_t> scenarios) {
+    if (run.step_count() == 0) {
+        return Bodies{0, 1};
+    }
+    Bodies bodies;
+    for (const std::uint64_t scenario : scenarios) {
+        const auto places = CD_TRY(run.places({scenario, 1}));
+        bodies.insert({places.front().body_a, places.front().body_b});
+    }
+    return bodies;
+}
+
 Status for_each_answer(ViewedRun& run,
                        const PageOrigin& origin,
                        std::span<const std::uint64_t> scenarios,
@@ -93,8 +107,9 @@ Status for_each_answer(ViewedRun& run,
     const JobView job = job_of(run, origin);
     CD_TRY(take({"source", bytes_of(origin_json(origin))}));
     CD_TRY(take({"jobs/" + origin.job, bytes_of(job_view_json(job))}));
-    CD_TRY(take_meshes(run, job, take));
-    CD_TRY(take_parts(run, job, take));
+    const Bodies bodies = CD_TRY(bodies_of(run, scenarios));
+    CD_TRY(take_meshes(run, job, bodies, take));
+    CD_TRY(take_parts(run, job, bodies, take));
     CD_TRY(take_maps(run, job, take));
     for (const std::uint64_t number : scenarios) {
         const auto scenario = CD_TRY(run.scenario(number, stop));

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 
@@ -21,10 +22,14 @@ struct HeldAnswer {
     bool is_cut = false; ///< Rows are missing, as the header X-Cut says.
 };
 
+/// Returns the numbers of the bodies of these scenarios. Errors: those of reading poses.
+[[nodiscard]] Result<std::set<std::uint32_t>> bodies_of(ViewedRun& run,
+                                                        std::span<const std::uint64_t> scenarios);
+
 /// Calls `take` with all that the page's viewer needs to show these scenarios: the origin, the job,
-/// meshes, parts, maps, and each scenario as it is after it was run again. An error of `take` ends
-/// all. The job's id is that of `origin`; unless that is a folder, no folder is named. Errors: as
-/// `ViewedRun::scenario` and `take`; Interrupted.
+/// meshes and parts of their bodies, maps, and each scenario as it is after it was run again. An
+/// error of `take` ends all. The job's id is that of `origin`; unless that is a folder, no folder
+/// is named. Errors: as `ViewedRun::scenario` and `take`; Interrupted.
 [[nodiscard]] Status for_each_answer(ViewedRun& run,
                                      const PageOrigin& origin,
                                      std::span<const std::uint64_t> scenarios,

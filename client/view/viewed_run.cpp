@@ -256,6 +256,17 @@ Status ViewedRun::for_each_chosen(const ScenarioChoice& choice,
     return Done{};
 }
 
+Result<std::vector<MotionKeys>> ViewedRun::keys(const ScenarioChoice& choice) {
+    CD_TRY(choice.check(count(), limits::page_scenarios_max));
+    std::vector<MotionKeys> keys;
+    CD_TRY(for_each_chosen(choice, [&](const std::vector<Scenario>& scenarios) -> Status {
+        const auto some = CD_TRY(scene_motions(scenarios));
+        keys.insert(keys.end(), some.begin(), some.end());
+        return Done{};
+    }));
+    return keys;
+}
+
 Result<std::vector<ScenePlace>> ViewedRun::places(const ScenarioChoice& choice) {
     CD_TRY(choice.check(count(), limits::page_scenarios_max));
     if (!job_.scene) {
@@ -318,10 +329,8 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
                          "its level is " +
                          std::string(to_text(manifest().query.level)));
     }
-    if (parts_.size() != 2) {
-        return bad_input("parts are looked for in jobs with two bodies only");
-    }
-    return PartFilter::make({parts_[0], parts_[1]}, wanted);
+    return PartFilter::make(
+        job_.names, [&](std::uint32_t body) { return parts(body); }, wanted);
 }
 
 Result<NextFound> ViewedRun::next(const NextContact& wanted) {

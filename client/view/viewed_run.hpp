@@ -45,8 +45,14 @@ class ViewedRun {
     /// Each scenario's distance; NaN without one.
     [[nodiscard]] Result<std::vector<double>> distances(const ScenarioChoice& choice) const;
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
+    /// Returns each motion's poses at its begin and end. Errors: as `scene_motions`.
+    [[nodiscard]] Result<std::vector<MotionKeys>> keys(const ScenarioChoice& choice);
     /// Returns the step and the bodies of each scenario. Errors: NotFound unless it is a scene.
     [[nodiscard]] Result<std::vector<ScenePlace>> places(const ScenarioChoice& choice);
+    /// Returns the number of steps of a scene; 0 of another run.
+    [[nodiscard]] std::uint64_t step_count() const {
+        return job_.scene ? job_.scene->steps->steps() : 0;
+    }
     /// Returns the chosen steps. Errors: NotFound unless the run is of a scene; as `step_rows`.
     [[nodiscard]] Result<std::vector<StepRow>> steps(const ScenarioChoice& choice) const;
     /// Returns a body's contact map. Errors: NotFound without a map or a body.

@@ -359,9 +359,12 @@ same("a gap that is not shown", shapesIn((pair) => (pair === 2 ? 4 : null)).gaps
 same("shared segments", shapesIn(() => 3).segments.length, 12);
 const wholeBody = [parts, parts] as const;
 const soughtIn = (seek: "contact" | "near" | "either", one: Uint32Array) =>
-    hasPairOf(one, { partA: "", partB: "piece 2", seek }, wholeBody);
+    hasPairOf(one, { partA: "", partB: "piece 2", seek, bodies: [0, 1] }, wholeBody, [0, 1]);
 same("pairs that are sought", (["contact", "near", "either"] as const).map((seek) => soughtIn(seek, new Uint32Array([9, 0, 4]))), [false, true, true]);
 same("contacts that are sought", soughtIn("near", new Uint32Array([9, 0, 1])), false);
+const ofScene = { partA: "", partB: "piece 2", seek: "contact", bodies: [3, 5] } as const;
+const onSides = (of: [number, number]) => hasPairOf(new Uint32Array([0, 4, 1]), ofScene, wholeBody, of);
+same("a part of a body that is A, B or neither", [onSides([5, 7]), onSides([3, 5]), onSides([3, 7])], [true, false, false]);
 
 // Picks: parallel triangles at z = 1, 2, 3.
 const corners = new Float32Array([1, 2, 3].flatMap((z) => [-1, -1, z, 3, -1, z, -1, 3, z]));

@@ -1,14 +1,16 @@
 /** Tests of what the page computes of scenes of many bodies. */
 import { classNames } from "./src/base/classes";
 import type { Pose, Vec3 } from "./src/base/types";
+import { splitPart } from "./src/base/part_name";
+import { sceneParts } from "./src/job/groups";
 import { Results } from "./src/job/results";
 import { bodyNumber, noFilter, readFilter, readRange, writeFilter } from "./src/scene/filter";
 import { MeshStore } from "./src/scene/meshes";
 import { boxCornersOf } from "./src/scene/others_view";
 import { sceneEpisodesOf } from "./src/scene/scene_episodes";
 import { SceneRows, sumsByBody, topBodies } from "./src/scene/scene_rows";
-import { bestRow, drawnTrianglesMax, formOf, othersMax, othersOf, posesOf } from "./src/scene/step_bodies";
-import { pairsOfStep } from "./src/scene/step_pairs";
+import { bestRow, drawnTrianglesMax, formOf, movingPosesOf, othersMax, othersOf, posesOf } from "./src/scene/step_bodies";
+import { othersText, pairsOfStep } from "./src/scene/step_pairs";
 import { Steps } from "./src/scene/steps";
 import { isNearEvent } from "./src/motion/motion";
 import { same } from "./test_tools";
@@ -43,7 +45,15 @@ const rows = [4, 0, 2, 4, 2, 5];
 const poseAt = (x: number): Pose => [1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0];
 const poses = posesOf(rows, [...poseAt(1), ...poseAt(2), ...poseAt(2), ...poseAt(3)]);
 same("each body has one pose", [...poses.keys()], [0, 2, 5]);
-same("the pose of the body", poses.get(5), poseAt(3));
+same("the pose of the body", poses.get(5)?.(0.5), poseAt(3));
+const key = (x: number) => [1, 0, 0, 0, x, 0, 0];
+const moving = movingPosesOf(rows, [...key(1), ...key(2), ...key(5), ...key(2), ...key(2), ...key(3), ...key(2), ...key(9)]);
+same("a body moves with the step", [0, 0.25, 1].map((tau) => moving.get(0)?.(tau)[3]), [1, 2, 5]);
+same("each body moves as its first scenario says", [2, 5].map((body) => moving.get(body)?.(0.5)[3]), [2, 6]);
+const turned = [0, 0, 0, 2, 0, 0, 0]; // Half a turn about z, with another length.
+const turning = movingPosesOf([0, 0, 1], [...key(0), ...key(0), ...turned, ...key(0)]).get(0)?.(0.5) ?? [];
+const [w, z] = [0.5, 1];
+same("a body turns as a motion of a pair does", turning[0], 1 - (2 / (w * w + z * z)) * z * z);
 same("the other bodies", othersOf({ poses }, [2, 5]), [0]);
 same("the same pair", bestRow(rows, [2, 5], -1), 1);
 same("else of the body that is wanted", bestRow(rows, [0, 1], 5), 1);
@@ -59,6 +69,16 @@ const stepPairs = { rows, classes: [kind("separate"), kind("cross")] };
 const letters = ["a", "b", "car", "d", "e", "wall"].map((name) => ({ name }));
 same("the worst pair comes first", pairsOfStep(stepPairs, letters, ""), [1, 0]);
 same("pairs of a body", [pairsOfStep(stepPairs, letters, "WAL"), pairsOfStep(stepPairs, letters, "b")], [[1], []]);
+const shown = { form: "meshes", count: 3, boxes: 0, error: "" } as const;
+same("what is said of the others", othersText(shown, false), "3 other bodies near another at this step, faint.");
+same("a report without a mesh", othersText({ ...shown, boxes: 2 }, false).endsWith("Of 2 this report has no mesh, so boxes are drawn."), true);
+
+// The groups of a scene name parts with their bodies.
+const bodiesOfGroups = new Set(["car.0", "hall/door", "wall"]);
+same("a body and its part", splitPart("car.0/wheel/left", bodiesOfGroups), { body: "car.0", part: "wheel/left" });
+same("a body with a slash", splitPart("hall/door/leaf", bodiesOfGroups), { body: "hall/door", part: "leaf" });
+same("no body of the scene", splitPart("lorry/wheel", bodiesOfGroups), null);
+same("the link of a group", sceneParts(bodiesOfGroups, { a: "car.0/wheel", b: "hall/door/le*f" }), { part: "car.0/wheel", with: "hall\\/door/le\\*f" });
 
 // A box from 1 to 3 along x, moved by 10.
 const corners = boxCornersOf({ pose: poseAt(10), low: [1, 0, 0], size: [2, 1, 1] });

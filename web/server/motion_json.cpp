@@ -25,14 +25,8 @@ Json run_json(const CellRun& run) {
             {"event_last", has_event ? Json(run.event_last) : Json()}};
 }
 
-Json key_json(const Pose& pose) {
-    const Quaternion& q = pose.quaternion();
-    const Vec3& c = pose.translation();
-    return {q.w, q.x, q.y, q.z, c.x(), c.y(), c.z()};
-}
-
 Json keys_json(const PosePair& poses) {
-    return {{"a", key_json(poses.a)}, {"b", key_json(poses.b)}};
+    return {{"a", key_numbers(poses.a)}, {"b", key_numbers(poses.b)}};
 }
 
 } // namespace

@@ -40,6 +40,18 @@ Bytes poses_npy(const PoseRows& poses) {
                                  : npy(NpyType::F8, {scenarios, poses.poses_each, 12}, numbers);
 }
 
+Bytes keys_npy(std::span<const MotionKeys> motions) {
+    std::vector<double> numbers;
+    numbers.reserve(28 * motions.size());
+    for (const MotionKeys& each : motions) {
+        for (const Pose* const pose : {&each.from.a, &each.from.b, &each.to.a, &each.to.b}) {
+            const auto key = key_numbers(*pose);
+            numbers.insert(numbers.end(), key.begin(), key.end());
+        }
+    }
+    return npy(NpyType::F8, {motions.size(), 4, 7}, std::span<const double>(numbers));
+}
+
 Bytes bodies_npy(std::span<const ScenePlace> places) {
     std::vector<std::uint32_t> rows;
     rows.reserve(3 * places.size());

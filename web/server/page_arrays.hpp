@@ -21,6 +21,8 @@ namespace cd {
 [[nodiscard]] Bytes distances_npy(std::span<const double> distances);
 /// Encodes poses as f8 (n,12), or (n,2,12) if there are two a scenario.
 [[nodiscard]] Bytes poses_npy(const PoseRows& poses);
+/// Encodes motions as f8 (n,4,7): `key_numbers` of A and of B at the begin, then at the end.
+[[nodiscard]] Bytes keys_npy(std::span<const MotionKeys> motions);
 /// Encodes steps and bodies of scenarios as u4 (n,3): step, number of body A, of body B.
 [[nodiscard]] Bytes bodies_npy(std::span<const ScenePlace> places);
 /// Encodes steps as f8 (n,2): first scenario, time.

@@ -25,10 +25,11 @@ constexpr std::array<NamedTopic, 4> plain_topics{{{"source", PageTopic::Source},
                                                   {"cluster", PageTopic::Cluster},
                                                   {"history", PageTopic::History},
                                                   {"jobs", PageTopic::Jobs}}};
-constexpr std::array<NamedTopic, 6> array_topics{{{"classes", PageTopic::Classes},
+constexpr std::array<NamedTopic, 7> array_topics{{{"classes", PageTopic::Classes},
                                                   {"counts", PageTopic::Counts},
                                                   {"distances", PageTopic::Distances},
                                                   {"poses", PageTopic::Poses},
+                                                  {"keys", PageTopic::Keys},
                                                   {"bodies", PageTopic::Bodies},
                                                   {"steps", PageTopic::Steps}}};
 constexpr std::array<NamedTopic, 2> body_topics{
@@ -90,6 +91,12 @@ const std::string* find(const Parameters& parameters, std::string_view name) {
     return found == parameters.end() ? nullptr : &found->second;
 }
 
+/// Returns a parameter's value; empty without it.
+std::string text_of(const Parameters& parameters, std::string_view name) {
+    const std::string* const text = find(parameters, name);
+    return text == nullptr ? std::string() : *text;
+}
+
 Result<std::uint64_t> number_of(const Parameters& parameters, std::string_view name) {
     const std::string* const text = find(parameters, name);
     const auto number = text == nullptr ? std::nullopt : number_in<std::uint64_t>(*text);
@@ -127,9 +134,10 @@ Result<NextContact::Kind> next_kind_of(const Parameters& parameters) {
 }
 
 Result<NextContact> next_of(const Parameters& parameters) {
-    CD_TRY(allow_only(
-        parameters,
-        std::array<std::string_view, 6>{"from", "step", "part_a", "part_b", "class", "body"}));
+    CD_TRY(
+        allow_only(parameters,
+                   std::array<std::string_view, 8>{
+                       "from", "step", "part_a", "part_b", "body_a", "body_b", "class", "body"}));
     NextContact next;
     next.from = CD_TRY(number_of(parameters, "from"));
     const std::string* const step = find(parameters, "step");
@@ -137,12 +145,11 @@ Result<NextContact> next_of(const Parameters& parameters) {
         return bad_input("the parameter 'step' is 1 or -1");
     }
     next.is_backwards = step != nullptr && *step == "-1";
-    const std::string* const part_a = find(parameters, "part_a");
-    const std::string* const part_b = find(parameters, "part_b");
-    const std::string* const body = find(parameters, "body");
-    next.part_a = part_a == nullptr ? "" : *part_a;
-    next.part_b = part_b == nullptr ? "" : *part_b;
-    next.body = body == nullptr ? "" : *body;
+    next.part_a = text_of(parameters, "part_a");
+    next.part_b = text_of(parameters, "part_b");
+    next.body_a = text_of(parameters, "body_a");
+    next.body_b = text_of(parameters, "body_b");
+    next.body = text_of(parameters, "body");
     next.kind = CD_TRY(next_kind_of(parameters));
     return next;
 }

@@ -24,6 +24,7 @@ enum class PageTopic : std::uint8_t {
     Counts,
     Distances,
     Poses,
+    Keys,
     Bodies,
     Steps,
     Map,
@@ -67,6 +68,9 @@ struct NextContact {
     Kind kind = Kind::Contact;
     /// Only scenarios of this body, by its name or number; empty: any body.
     std::string body = {};
+    /// The bodies of these parts, by their names or numbers; empty, in a job of two: A and B.
+    std::string body_a = {};
+    std::string body_b = {};
 
     /// True if a scenario of this class may be meant. `value` is a `ScenarioClass` or `no_class`.
     [[nodiscard]] bool has_class(std::uint8_t value) const;

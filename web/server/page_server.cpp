@@ -243,6 +243,10 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
     case PageTopic::Poses:
         return source_.poses(
             request.job, request.choice, answering<PoseRows>(respond, array(poses_npy)));
+    case PageTopic::Keys:
+        return source_.keys(request.job,
+                            request.choice,
+                            answering<std::vector<MotionKeys>>(respond, array(keys_npy)));
     case PageTopic::Bodies:
         return source_.bodies(request.job,
                               request.choice,

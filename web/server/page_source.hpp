@@ -52,6 +52,10 @@ class PageSource {
                            Take<std::vector<double>> take) = 0;
     virtual void
     poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) = 0;
+    /// Each motion's poses at its begin and end. Errors: NotFound for a job without motions.
+    virtual void keys(const std::string& id,
+                      const ScenarioChoice& choice,
+                      Take<std::vector<MotionKeys>> take) = 0;
     /// Each scenario's step and bodies. Errors: NotFound for a job that is no scene.
     virtual void bodies(const std::string& id,
                         const ScenarioChoice& choice,

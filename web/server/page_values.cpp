@@ -15,6 +15,12 @@ std::array<double, 12> pose_rows(const Pose& pose) {
     return rows;
 }
 
+std::array<double, 7> key_numbers(const Pose& pose) {
+    const Quaternion& q = pose.quaternion();
+    const Vec3& c = pose.translation();
+    return {q.w, q.x, q.y, q.z, c.x(), c.y(), c.z()};
+}
+
 void PoseRows::add(const PosePair& poses) {
     if (poses_each == 2) {
         const auto a = pose_rows(poses.a);

@@ -186,4 +186,8 @@ struct NextFound {
 /// Returns the twelve numbers of a pose: the rows of [R t], rounded.
 [[nodiscard]] std::array<double, 12> pose_rows(const Pose& pose);
 
+/// Returns the numbers of a motion's key, exactly: quaternion w, x, y, z, and position. The pose is
+/// of kind Quaternion.
+[[nodiscard]] std::array<double, 7> key_numbers(const Pose& pose);
+
 } // namespace cd

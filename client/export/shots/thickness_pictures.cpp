@@ -35,16 +35,17 @@ Colour colour_of(float thickness, double largest) {
 } // namespace
 
 ThicknessPictures::ThicknessPictures(std::shared_ptr<const PassageFinder> finder,
-                                     std::shared_ptr<const ShotViews> views)
+                                     std::shared_ptr<const ShotViews> views,
+                                     const ThicknessBounds& bounds)
     : finder_(std::move(finder)), views_(std::move(views)) {
     if (views_->cell_area() == 0) {
         return;
     }
-    const std::size_t count = std::min(views_->count(), views_max);
+    const std::size_t count = std::min(views_->count(), bounds.views);
     for (std::uint32_t view = 0; view < count; ++view) {
         const LinePlace lines = views_->size(view);
         const std::uint64_t most = std::max(lines.column, lines.row);
-        const std::uint64_t lines_of_pixel = (most + side_max - 1) / side_max;
+        const std::uint64_t lines_of_pixel = (most + bounds.side - 1) / bounds.side;
         Raster raster{lines,
                       (lines.column + lines_of_pixel - 1) / lines_of_pixel,
                       (lines.row + lines_of_pixel - 1) / lines_of_pixel,

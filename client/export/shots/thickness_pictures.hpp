@@ -11,15 +11,22 @@
 
 namespace cd {
 
+/// How many pictures there are, and how large.
+struct ThicknessBounds {
+    std::size_t views = 8;
+    std::uint64_t side = 320; ///< Pixels along a side of a picture.
+};
+
+/// The bounds of pictures in files of their own.
+inline constexpr ThicknessBounds large_thickness{64, 1024};
+
 /// Paints for each of the first directions a pixel a line, or for some lines if there are more than
 /// pixels. A pixel shows the largest thickness of all passages of one of its lines together.
 class ThicknessPictures {
   public:
-    static constexpr std::size_t views_max = 8;
-    static constexpr std::uint64_t side_max = 320; ///< Pixels along a side of a picture.
-
     ThicknessPictures(std::shared_ptr<const PassageFinder> finder,
-                      std::shared_ptr<const ShotViews> views);
+                      std::shared_ptr<const ShotViews> views,
+                      const ThicknessBounds& bounds = {});
 
     /// Adds a result of Question::Shots at level pairs.
     void add(const ScenarioResult& result);

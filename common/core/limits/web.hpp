@@ -18,6 +18,8 @@ inline constexpr std::uint64_t page_classes_max = 1u << 20;
 inline constexpr std::uint64_t page_scenarios_max = 1u << 16;
 inline constexpr std::uint64_t page_sample_max = 4096; ///< Scenarios in a sample.
 inline constexpr std::size_t page_groups_max = 1000;   ///< Pairs of parts in a job's description.
+/// Above so many bodies beside a pair, the page draws boxes (`othersMax` of step_bodies.ts).
+inline constexpr std::size_t page_other_bodies_max = 200;
 /// Pairs, or shared points, of one scenario.
 inline constexpr std::uint64_t page_rows_max = 1'000'000;
 /// A results folder with more scenarios cannot be viewed: its index takes 5 bytes for each.

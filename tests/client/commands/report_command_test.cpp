@@ -466,6 +466,30 @@ TEST_F(ReportFile, WithAViewerHoldsMeshesAndTheWorstScenarios) {
     EXPECT_THAT(html(), HasSubstr("Permission is hereby granted")) << "the libraries' licences";
 }
 
+TEST_F(ReportFile, WithAViewerHoldsTheOtherBodiesOfAStepIfThereIsRoom) {
+    write_text(folder_ / "a.obj", tetrahedron("a", 0, 1));
+    write_text(folder_ / "b.obj", tetrahedron("b", 0, 1));
+    write_text(folder_ / "poses.csv", "step,body,x\n0,left,0\n0,right,0.5\n");
+    write_text(
+        folder_ / "job.toml",
+        "[bodies]\nleft = { mesh = \"a.obj\" }\nright = { mesh = \"a.obj\" }\n"
+        "post = { mesh = \"b.obj\", pose = [0, 0, 0.1, 0, 0, 0, 1], quat_order = \"xyzw\" }\n"
+        "[poses]\nfile = \"poses.csv\"\n[output]\ndir = \"out\"\n");
+    run_job();
+    report_.has_viewer = true;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    const auto answers = expect_a_viewer();
+    for (const char* const path : {"steps?first=0&amp;count=1", "poses?first=0&amp;count=3"}) {
+        EXPECT_TRUE(answers.contains("jobs/folder/" + std::string(path))) << path;
+    }
+    EXPECT_THAT(stderr_, Not(HasSubstr("no room")));
+    report_.bytes_max = limits::report_bytes_max; // Enough for the viewer alone.
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_FALSE(answers_in(html()).contains("jobs/folder/poses?first=0&amp;count=3"));
+    EXPECT_THAT(stderr_,
+                HasSubstr("the viewer has no room for the other bodies of 1 step; cdctl view "));
+}
+
 TEST_F(ReportFile, WithAViewerNamesOfAnyKindAreText) {
     name_ = "</template></script><script>alert(1)</script>";
     write_job("</template><script>alert(1)</script>", "<!--\"'&]]>\u202e", "");

@@ -84,6 +84,27 @@ TEST(ReportPictures, EqualTheirGoldenFiles) {
     expect_golden(pictures.scenarios()[1], "scenario-1.png");
 }
 
+TEST(ReportPictures, ShowEachMeshOfASceneOnce) {
+    PreparedJob job = two_poses();
+    job.meshes = {job.meshes[0], job.meshes[1], job.meshes[0], job.meshes[0]};
+    EXPECT_EQ(shown_bodies(job).size(), 4u) << "of no scene";
+    job.scene.emplace();
+    const std::vector<ShownBody> shown = shown_bodies(job);
+    ASSERT_EQ(shown.size(), 2u);
+    EXPECT_EQ(shown[0].body, 0u);
+    EXPECT_EQ(shown[0].others, 2u);
+    EXPECT_EQ(shown[1].body, 1u);
+    EXPECT_EQ(shown[1].others, 0u);
+    ReportPictures pictures;
+    ASSERT_TRUE(pictures.draw(job, {}, {}));
+    EXPECT_EQ(pictures.bodies().size(), 2u);
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_pictures(folder.path(), job, {}, {}));
+    EXPECT_TRUE(fs::exists(folder / "body-0.png"));
+    EXPECT_TRUE(fs::exists(folder / "body-1.png"));
+    EXPECT_FALSE(fs::exists(folder / "body-2.png"));
+}
+
 TEST(ReportPictures, ShowMotionsAtTheirEvent) {
     PreparedJob job = two_poses();
     Scenario moving = job.poses->read(0, 1).value().front();

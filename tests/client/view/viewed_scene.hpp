@@ -67,15 +67,20 @@ class Viewed : public testing::Test {
         return run_job();
     }
 
-    /// Runs a scene of two balls, `ball.0` and `ball.1`, with these rows of poses, and of a ball
-    /// `fixed` at the origin.
-    std::unique_ptr<ViewedRun> view_scene(const std::string& poses) {
+    /// Runs a scene of two balls, `ball.0` and `ball.1`, with these rows of poses, and of a body
+    /// `fixed` at the origin, which is such a ball unless another mesh is given. `more` is put
+    /// behind the poses.
+    std::unique_ptr<ViewedRun> view_scene(const std::string& poses,
+                                          const Mesh& fixed = make_sphere(1),
+                                          const std::string& more = "") {
         write_text(folder_ / "ball.obj", part_text("ball", make_sphere(1), 0, 1));
+        write_text(folder_ / "fixed.obj", part_text("ball", fixed, 0, 1));
         write_text(folder_ / "poses.csv", poses);
         write_text(folder_ / "job.toml",
                    "[bodies]\nball = { mesh = \"ball.obj\", count = 2 }\n"
-                   "fixed = { mesh = \"ball.obj\", pose = [0, 0, 0, 0, 0, 0, 1],"
-                   " quat_order = \"xyzw\" }\n[poses]\nfile = \"poses.csv\"\n");
+                   "fixed = { mesh = \"fixed.obj\", pose = [0, 0, 0, 0, 0, 0, 1],"
+                   " quat_order = \"xyzw\" }\n[poses]\nfile = \"poses.csv\"\n" +
+                       more);
         return run_job();
     }
 

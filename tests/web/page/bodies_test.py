@@ -86,6 +86,73 @@ class Bodies(PageTest):
         self.assertEqual(self.find(".pair-names").text, "car.0 × car.1")
         self.keep_pictures("scene")
 
+    def test_all_bodies_move_with_a_step_of_motions(self):
+        folder = self.scenes.moving_crossing()
+        number = scenario_of(rows_of(folder), 2, CAR_0, POLE)
+        at = lambda facts, body: next(one["centre"] for one in facts["scene"]["centres"] if one["body"] == body)
+        self.open(folder, f"#/jobs/folder/{number}?tau=0")
+        facts = self.drawn(number)
+        # In the frame of the first car, which goes from x = -3 to x = -2. The cart's y is 1.8, then 1.2.
+        wanted = {0: ([4, 1.5, 0], [3, -0.3, -1]), 0.25: ([3.75, 1.35, 0], [2.75, -0.3, -1]), 1: ([3, 0.9, 0], [2, -0.3, -1])}
+        for tau, (cart, floor) in wanted.items():
+            self.browser.go(f"#/jobs/folder/{number}?tau={tau}")
+            facts = self.browser.wait("the time", lambda f, tau=tau: f["motion"]["tau"] == tau and f["scene"]["others"] > 0)
+            for body, place in ((CART, cart), (FLOOR, floor)):
+                for value, expected in zip(at(facts, body), place):
+                    self.assertAlmostEqual(value, expected, delta=1e-6)
+        self.keep_pictures("scene-motion")
+
+    def check_parts(self, job):
+        """Follows the contacts of the first car's wheel with the other car's body, over all scenarios of a scene."""
+        with open(self.folder / "pairs.csv", newline="") as file:
+            listed = [(int(row["scenario"]), row["part_a"], row["part_b"]) for row in csv.DictReader(file)]
+        found = {n for n, a, b in listed if (a, b) == ("wheel", "body") and self.rows[n][1:] == ("car.0", "car.1")}
+        wheels = sorted(found)
+        self.assertGreater(wheels[-1] - wheels[0], 1, "others are between")
+        self.browser.wait("a screen", lambda f: f["screen"] in ("job", "viewer"))
+        self.browser.go(f"#/jobs/{job}/{wheels[0]}?part=car.0/wheel&with=car.1/body")
+        facts = self.browser.wait("the wheel", lambda f: f.get("scenario") == wheels[0] and f["parts"] == ["wheel", "body"])
+        self.assertTrue(all(one >= 12 for one in facts["highlighted"][0]))
+        self.browser.wait_text("only car.0/wheel × car.1/body")
+        for number in wheels[1:]:
+            self.browser.press("n")
+            facts = self.browser.scenario(number)
+            self.assertEqual(facts["parts"], ["wheel", "body"])
+        self.browser.press("n")
+        self.browser.wait_text("no contact after this scenario")
+
+    def test_the_next_contact_is_of_the_parts_of_two_bodies(self):
+        self.open(self.folder, "#/jobs/folder")
+        self.check_parts("folder")
+        self.keep_pictures("scene-parts")
+
+    def test_the_part_of_one_body_is_found_with_all_other_bodies(self):
+        pairs = pairs_by_scenario(self.folder)
+        side = lambda n: self.rows[n][1:].index("car.1") if "car.1" in self.rows[n][1:] else -1
+        wheels = [n for n in sorted(pairs) if side(n) >= 0 and max(pairs[n][side(n)]) >= 12]
+        self.assertGreater(len({self.rows[n][1:] for n in wheels}), 1, "with several bodies, as A and as B")
+        part = ["part", "with"][side(wheels[0])]
+        self.open(self.folder, f"#/jobs/folder/{wheels[0]}?{part}=car.1/wheel")
+        self.browser.scenario(wheels[0])
+        for number in wheels[1:]:
+            self.browser.press("n")
+            facts = self.browser.scenario(number)
+            self.browser.wait("its part", lambda f, n=number: f["parts"][side(n)] == "wheel")
+        self.assertEqual(facts["errors"], [])
+
+    def test_a_group_leads_to_the_contacts_of_its_parts(self):
+        self.open(self.folder, "#/jobs/folder")
+        self.browser.wait_text("parts in contact")
+        self.find("[aria-label='parts whose name holds']").send_keys("car.1/wheel")
+        self.browser.wait_frames()
+        rows = self.browser.driver.find_elements(By.CSS_SELECTOR, "[aria-label='parts in contact'] tbody tr")
+        self.assertGreater(len(rows), 0)
+        self.assertTrue(all("car.1/wheel" in row.text for row in rows))
+        link = rows[0].find_element(By.CSS_SELECTOR, "a")
+        self.browser.driver.execute_script("arguments[0].click()", link)
+        facts = self.browser.wait("its contacts", lambda f: f.get("scenario") is not None and f["highlighted"][0])
+        self.assertIn("wheel", facts["parts"])
+
     def test_bodies_with_one_mesh_read_it_once(self):
         self.browser.collect()
         before = len(self.browser.addresses)
@@ -178,6 +245,7 @@ class Bodies(PageTest):
         self.browser.open(f"{cluster.page}#/jobs/{job}")
         self.check_crossing(job)
         self.check_filter(job)
+        self.check_parts(job)
 
     def test_above_two_hundred_bodies_boxes_are_drawn(self):
         self.open(self.scenes.crowd(202), "#/jobs/folder/0")

@@ -91,6 +91,22 @@ class Report(PageTest):
         self.assertEqual(self.browser.facts()["errors"], [])
         self.assertTrue(self.browser.link().startswith(f"#/jobs/folder/{seen[-1]}"))
 
+    def test_shows_all_bodies_of_a_step_of_a_scene(self):
+        self.browser.open(self.report(self.scenes.crossing()))
+        facts = self.browser.wait("the step", lambda f: (f.get("scene") or {}).get("form") == "meshes")
+        self.assertEqual((facts["scene"]["others"], facts["verified"]), (3, True))
+        said = "document.getElementById('page').shadowRoot.textContent"
+        self.browser.wait("the note", lambda f: "3 other bodies near another at this step, faint." in self.ask(said))
+        self.middle()
+        self.browser.picture("report-scene")
+        step, seen = facts["scene"]["step"], facts["scenario"]
+        pairs = "[...document.getElementById('page').shadowRoot.querySelectorAll('.pairs button')]"
+        self.assertEqual(self.ask(f"{pairs}.filter((one) => !one.disabled).length > 1"), True)
+        self.browser.driver.execute_script(f"{pairs}.find((one) => one.ariaPressed === 'false' && !one.disabled).click()")
+        facts = self.browser.wait("another pair", lambda f: f["scenario"] != seen and f["scene"]["form"] == "meshes")
+        self.assertEqual(facts["scene"]["step"], step)
+        self.assertEqual(facts["errors"], [])
+
     def test_leaves_wheel_and_keys_to_the_report_until_it_is_clicked(self):
         self.browser.open(self.report(self.scenes.drive()))
         facts = self.browser.wait("the worst scenario", lambda f: f.get("scenario") is not None)

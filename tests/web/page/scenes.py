@@ -193,6 +193,13 @@ class Scenes:
     def crossing(self):
         return self.run("crossing", self.crossing_job())
 
+    def moving_crossing(self):
+        """The cars, the cart and the fixed bodies of `crossing`, moving from each step to the next."""
+        text = self.crossing_job().read_text()
+        parts = text.replace('"crossing"', '"moving"', 1).replace(', "csv-pairs"', "")
+        job = self.job("moving", parts.replace("[query]", "[motion]\nresolution = 0.02\n[query]"))
+        return self.run("moving", job)
+
     def crowd(self, count):
         """So many boxes on a floor, at one step."""
         write_obj(self.root / "brick.obj", [("brick", *box((0.3, 0.3, 0.3)))])

@@ -118,6 +118,11 @@ TEST_F(SceneOfCluster, PosesAreThoseOfBothBodiesInTheWorld) {
     EXPECT_EQ(rows.numbers[15], 9);
 }
 
+TEST_F(SceneOfCluster, OnlyMotionsHaveKeys) {
+    EXPECT_EQ(motions_of(reader_, job_, {0, 1}).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(motions_of(reader_, job_, {2, 2}).error().code, ErrorCode::BadInput);
+}
+
 TEST_F(SceneOfCluster, TheDescriptionHasStepsBoxesAndWhatIsFixed) {
     const JobView view = view_of(reader_, job_, {}).value();
     EXPECT_EQ(view.steps, 2u);

@@ -37,6 +37,7 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j/counts?sample=7").topic, PageTopic::Counts);
     EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
+    EXPECT_EQ(parsed("jobs/j/keys?sample=7").topic, PageTopic::Keys);
     EXPECT_EQ(parsed("jobs/j/bodies?first=2&count=3").topic, PageTopic::Bodies);
     EXPECT_EQ(parsed("jobs/j/steps?sample=7").topic, PageTopic::Steps);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);
@@ -66,10 +67,15 @@ TEST(PageRequests, ARangeASampleAndASearchAreRead) {
     EXPECT_EQ(next.from, 9u);
     EXPECT_TRUE(next.is_backwards);
     EXPECT_EQ(next.part_a, "a/b c");
+    EXPECT_EQ(next.body_a, "") << "A's";
     EXPECT_EQ(next.part_b, "d e");
     EXPECT_FALSE(parsed("jobs/j/scenarios/next?from=0").next.is_backwards);
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=0").next.body, "");
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=0&body=car.3%2Fx").next.body, "car.3/x");
+    const NextContact of_scene =
+        parsed("jobs/j/scenarios/next?from=0&part_a=hood&body_a=car.3&part_b=post&body_b=7").next;
+    EXPECT_EQ(of_scene.body_a, "car.3");
+    EXPECT_EQ(of_scene.body_b, "7");
     EXPECT_EQ(next.kind, NextContact::Kind::Contact);
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=near").next.kind, NextContact::Kind::Near);
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=either").next.kind,

@@ -78,6 +78,16 @@ class FakeSource final : public PageSource {
             return rows;
         });
     }
+    void keys(const std::string& id,
+              const ScenarioChoice& /*choice*/,
+              Take<std::vector<MotionKeys>> take) override {
+        answer(id, std::move(take), [] {
+            const auto key = [](double x) {
+                return Pose::from_quaternion({1, 0, 0, 2}, Vec3(x, 0, 0.5));
+            };
+            return std::vector<MotionKeys>{{{key(1), key(2)}, {key(3), key(4)}}};
+        });
+    }
     void bodies(const std::string& id,
                 const ScenarioChoice& /*choice*/,
                 Take<std::vector<ScenePlace>> take) override {
@@ -261,6 +271,11 @@ TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
     EXPECT_THAT(of_job("/poses?first=0&count=1").values<double>(),
                 ElementsAre(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3));
     EXPECT_THAT(of_job("/poses?sample=1").shape(), ElementsAre(1, 2, 12));
+    const Answered keys = of_job("/keys?first=0&count=1");
+    EXPECT_THAT(keys.shape(), ElementsAre(1, 4, 7));
+    const std::vector<double> numbers{1, 0, 0, 2, 1, 0, 0.5, 1, 0, 0, 2, 2, 0, 0.5,
+                                      1, 0, 0, 2, 3, 0, 0.5, 1, 0, 0, 2, 4, 0, 0.5};
+    EXPECT_EQ(keys.values<double>(), numbers) << "A and B at the begin, then at the end";
     EXPECT_THAT(of_job("/parts/0").shape(), ElementsAre(2, 2));
     EXPECT_THAT(of_job("/parts/0").values<std::uint32_t>(), ElementsAre(0, 1, 7, 0));
     EXPECT_THAT(of_job("/map/1").shape(), ElementsAre(1, 2));

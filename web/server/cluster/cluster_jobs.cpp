@@ -108,6 +108,14 @@ std::shared_ptr<const NamedParts> shared_parts(const ObbTree& tree) {
     return std::make_shared<const NamedParts>(named_parts(tree.mesh()));
 }
 
+std::vector<std::string> names_of(const Submit& submit) {
+    std::vector<std::string> names;
+    for (const JobBody& body : submit.bodies) {
+        names.push_back(body.name);
+    }
+    return names;
+}
+
 Result<PartFilter>
 filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
     if (wanted.part_a.empty() && wanted.part_b.empty()) {
@@ -119,23 +127,20 @@ filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted)
                          "its level is " +
                          std::string(to_text(description.submit.query.level)));
     }
-    if (description.submit.bodies.size() != 2) {
-        return bad_input("parts are looked for in jobs with two bodies only");
-    }
     const auto trees = CD_TRY(reader.trees(description.submit));
-    return PartFilter::make({shared_parts(*trees[0]), shared_parts(*trees[1])}, wanted);
+    return PartFilter::make(
+        names_of(description.submit),
+        [&](std::uint32_t body) { return Result(shared_parts(*trees[body])); },
+        wanted);
 }
 
 Result<BodyFilter>
 body_filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
-    std::vector<std::string> names;
-    if (!wanted.body.empty()) {
-        const auto description = CD_TRY(reader.description(job.status.job));
-        for (const JobBody& body : description.submit.bodies) {
-            names.push_back(body.name);
-        }
+    if (wanted.body.empty()) {
+        return BodyFilter();
     }
-    return BodyFilter::make(names, wanted.body);
+    const auto description = CD_TRY(reader.description(job.status.job));
+    return BodyFilter::make(names_of(description.submit), wanted.body);
 }
 
 /// A range of scenarios to look through.
@@ -241,6 +246,13 @@ poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choic
         rows.add(scenario.poses);
     }
     return rows;
+}
+
+Result<std::vector<MotionKeys>>
+motions_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
+    return scene_motions(read.scenarios);
 }
 
 Result<std::vector<ScenePlace>>

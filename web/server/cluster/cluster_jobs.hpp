@@ -38,6 +38,9 @@ counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice
 distances_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);
 [[nodiscard]] Result<PoseRows>
 poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
+/// Errors: as `scene_motions`.
+[[nodiscard]] Result<std::vector<MotionKeys>>
+motions_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
 /// Errors: NotFound if the job is no scene.
 [[nodiscard]] Result<std::vector<ScenePlace>>
 places_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);

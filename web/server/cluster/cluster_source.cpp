@@ -203,6 +203,17 @@ void ClusterSource::poses(const std::string& id,
     });
 }
 
+void ClusterSource::keys(const std::string& id,
+                         const ScenarioChoice& choice,
+                         Take<std::vector<MotionKeys>> take) {
+    using Keys = Take<std::vector<MotionKeys>>;
+    with_job(id, std::move(take), [this, choice](PagedJob job, Keys then) {
+        read(std::move(then), [&reader = parts_.reader, choice, job = std::move(job)] {
+            return motions_of(reader, job, choice);
+        });
+    });
+}
+
 void ClusterSource::bodies(const std::string& id,
                            const ScenarioChoice& choice,
                            Take<std::vector<ScenePlace>> take) {

@@ -52,6 +52,9 @@ class ClusterSource final : public PageSource {
                    const ScenarioChoice& choice,
                    Take<std::vector<double>> take) override;
     void poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) override;
+    void keys(const std::string& id,
+              const ScenarioChoice& choice,
+              Take<std::vector<MotionKeys>> take) override;
     void bodies(const std::string& id,
                 const ScenarioChoice& choice,
                 Take<std::vector<ScenePlace>> take) override;

@@ -7,11 +7,7 @@
 
 namespace cd {
 
-Result<BodyFilter> BodyFilter::make(std::span<const std::string> names, const std::string& wanted) {
-    BodyFilter filter;
-    if (wanted.empty()) {
-        return filter;
-    }
+Result<std::uint32_t> body_number(std::span<const std::string> names, const std::string& wanted) {
     const auto named = std::ranges::find(names, wanted);
     const auto number = named == names.end()
                             ? number_in<std::uint32_t>(wanted)
@@ -19,7 +15,14 @@ Result<BodyFilter> BodyFilter::make(std::span<const std::string> names, const st
     if (!number || *number >= names.size()) {
         return bad_input("the job has no body '" + wanted + "'");
     }
-    filter.body_ = *number;
+    return *number;
+}
+
+Result<BodyFilter> BodyFilter::make(std::span<const std::string> names, const std::string& wanted) {
+    BodyFilter filter;
+    if (!wanted.empty()) {
+        filter.body_ = CD_TRY(body_number(names, wanted));
+    }
     return filter;
 }
 

@@ -11,12 +11,17 @@
 
 namespace cd {
 
+/// Returns the number of a body by its name, or else its number in `names`. Errors: BadInput if
+/// there is no such body.
+[[nodiscard]] Result<std::uint32_t> body_number(std::span<const std::string> names,
+                                                const std::string& wanted);
+
 class BodyFilter {
   public:
     /// Makes a filter that passes all results.
     BodyFilter() = default;
-    /// Makes a filter for a body's name, or else its number in `names`; an empty text passes all
-    /// results. Errors: BadInput if there is no such body.
+    /// Makes a filter for the body of this name or number; an empty text passes all results.
+    /// Errors: as `body_number`.
     [[nodiscard]] static Result<BodyFilter> make(std::span<const std::string> names,
                                                  const std::string& wanted);
 

@@ -17,6 +17,18 @@ Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios
     return places;
 }
 
+Result<std::vector<MotionKeys>> scene_motions(std::span<const Scenario> scenarios) {
+    std::vector<MotionKeys> keys;
+    keys.reserve(scenarios.size());
+    for (const Scenario& scenario : scenarios) {
+        if (!scenario.to) {
+            return Error{ErrorCode::NotFound, "the job has no motions"};
+        }
+        keys.push_back({scenario.poses, *scenario.to});
+    }
+    return keys;
+}
+
 Result<std::vector<StepRow>> step_rows(const StepIndex& steps, const ScenarioChoice& choice) {
     CD_TRY(choice.check(steps.steps(), limits::page_scenarios_max, "step"));
     std::vector<StepRow> rows;

@@ -1,4 +1,4 @@
-// The steps of a scene, and the two bodies of each scenario, as the page asks for them.
+// The steps of a scene, and bodies and motions of its scenarios, as the page asks for them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -15,6 +15,10 @@ namespace cd {
 
 /// Returns where each scenario of a scene belongs. Errors: BadFrame for a scenario without a step.
 [[nodiscard]] Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios);
+
+/// Returns the keys of each motion, of a scene or of two bodies. Errors: NotFound for a scenario
+/// that is no motion.
+[[nodiscard]] Result<std::vector<MotionKeys>> scene_motions(std::span<const Scenario> scenarios);
 
 /// Returns the chosen steps; element i of a sample is step floor(i * steps / sample). Errors:
 /// BadInput for steps that the scene does not have, or more than `limits::page_scenarios_max`.

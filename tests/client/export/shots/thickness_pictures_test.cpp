@@ -62,8 +62,12 @@ TEST(ThicknessPictures, HaveAPixelForSomeLinesWhereThereAreMany) {
     const ThicknessPictures pictures(std::make_shared<const PassageFinder>(*scene.a),
                                      scene.views());
     const Image image = pictures.image(0);
-    EXPECT_LE(image.width, ThicknessPictures::side_max);
-    EXPECT_GT(image.width, ThicknessPictures::side_max / 2);
+    EXPECT_LE(image.width, ThicknessBounds().side);
+    EXPECT_GT(image.width, ThicknessBounds().side / 2);
+    const ThicknessPictures large(
+        std::make_shared<const PassageFinder>(*scene.a), scene.views(), large_thickness);
+    EXPECT_GT(large.image(0).width, image.width);
+    EXPECT_LE(large.image(0).width, large_thickness.side);
     EXPECT_EQ(pictures.largest(0), 0);
 }
 

@@ -45,6 +45,18 @@ TEST(SceneRows, AScenarioHasItsStepAndItsBodies) {
     EXPECT_EQ(scene_places(damaged).error().code, ErrorCode::BadFrame);
 }
 
+TEST(SceneRows, AMotionHasItsKeys) {
+    const auto at = [](double x) { return Pose::from_quaternion({1, 0, 0, 0}, Vec3(x, 0, 0)); };
+    Scenario scenario{0, 0, 1, {at(1), at(2)}, 4};
+    EXPECT_EQ(scene_motions(std::span(&scenario, 1)).error().code, ErrorCode::NotFound);
+    scenario.to = PosePair{at(3), at(4)};
+    const auto keys = scene_motions(std::span(&scenario, 1));
+    ASSERT_TRUE(keys);
+    ASSERT_EQ(keys.value().size(), 1u);
+    EXPECT_EQ(keys.value()[0].from, (PosePair{at(1), at(2)}));
+    EXPECT_EQ(keys.value()[0].to, (PosePair{at(3), at(4)}));
+}
+
 TEST(SceneRows, AViewGetsTheTimeOfItsStep) {
     const StepIndex steps = three_steps();
     ScenarioView view;

@@ -27,6 +27,19 @@ export function writePart(body: 0 | 1, part: string, bodies: readonly [string, s
     return `${isNamed ? escaped(bodies[body]) : "ab"[body]}/${escaped(part)}`;
 }
 
+/**
+ * Splits `body/part`, as the groups of a scene have it, where one of `bodies` ends; null if none does. Nothing is
+ * escaped there.
+ */
+export function splitPart(text: string, bodies: ReadonlySet<string>): { body: string; part: string } | null {
+    for (let at = text.indexOf("/"); at >= 0; at = text.indexOf("/", at + 1)) {
+        if (bodies.has(text.slice(0, at))) {
+            return { body: text.slice(0, at), part: text.slice(at + 1) };
+        }
+    }
+    return null;
+}
+
 /** Reads a part; without a body it is one of A if A has it. */
 export function readPart(text: string, names: PartNames): { body: 0 | 1; part: string } {
     const found = /^((?:\\.|[^\\/])*)\/(.*)$/s.exec(text);

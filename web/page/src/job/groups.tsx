@@ -1,7 +1,8 @@
+import { useState } from "preact/hooks";
 import { numberOf } from "../base/classes";
-import { writePart } from "../base/part_name";
+import { splitPart, writePart } from "../base/part_name";
 import { scenarioLink } from "../base/route";
-import { asksShots, bodyNames, isScene, type Group, type Job } from "../base/types";
+import { asksShots, type Body, bodyNames, isScene, type Group, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { ClassMark, Name, Panel } from "../ui/small";
 import { type Column, Table } from "../ui/table";
@@ -30,10 +31,30 @@ function Share({ group, job }: { group: Group; job: Job }) {
     );
 }
 
+/** How a link names the two parts of a group of a scene, whose names hold those of their bodies. */
+export function sceneParts(bodies: ReadonlySet<string>, { a, b }: Pick<Group, "a" | "b">): Record<string, string> {
+    const [one, other] = [splitPart(a, bodies), splitPart(b, bodies)];
+    if (!one || !other) {
+        return {};
+    }
+    const names = [one.body, other.body] as const;
+    return { part: writePart(0, one.part, names), with: writePart(1, other.part, names) };
+}
+
+/** The names of a job's bodies, made once, since a scene may have many. */
+const knownNames = new WeakMap<readonly Body[], ReadonlySet<string>>();
+
+function namesOf(bodies: readonly Body[]): ReadonlySet<string> {
+    const names = knownNames.get(bodies) ?? new Set(bodies.map(({ name }) => name));
+    knownNames.set(bodies, names);
+    return names;
+}
+
 /** Opens the worst scenario of a group, with its contacts alone. */
-function worstLink(job: Job, { a, b, worst }: Group): string {
+function worstLink(job: Job, group: Group): string {
+    const { a, b, worst } = group;
     if (isScene(job)) {
-        return scenarioLink(job.job, worst); // The names of parts hold those of their bodies.
+        return scenarioLink(job.job, worst, sceneParts(namesOf(job.bodies), group));
     }
     const bodies = bodyNames(job);
     return scenarioLink(job.job, worst, { part: writePart(0, a, bodies), with: writePart(1, b, bodies) });
@@ -92,18 +113,30 @@ export function Groups({ job, groups }: { job: Job; groups: Group[] }) {
     const total = job.groups_total ?? groups.length;
     const isCut = total > groups.length;
     const hasLines = asksShots(job);
+    const [text, setText] = useState("");
+    const wanted = text.toLowerCase();
+    const found = groups.filter(({ a, b }) => a.toLowerCase().includes(wanted) || b.toLowerCase().includes(wanted));
     const title = hasLines ? "parts hit" : job.clearance === null ? "parts in contact" : "parts in contact or near";
     return (
         <Panel
             title={title}
             note={isCut ? `the ${grouped(groups.length)} in most ${hasLines ? "bundles" : "poses"}, of ${grouped(total)}` : ""}
         >
+            {isScene(job) && (
+                <input
+                    type="search"
+                    aria-label="parts whose name holds"
+                    placeholder="body/part"
+                    value={text}
+                    onInput={(event) => setText(event.currentTarget.value)}
+                />
+            )}
             <Table
                 caption={title}
                 columns={columnsOf(job)}
-                rows={groups}
+                rows={found}
                 rowKey={(group) => `${group.a}\n${group.b}`}
-                empty={`no part is ${hasLines ? "hit" : job.clearance === null ? "in contact" : "in contact or near"}`}
+                empty={text ? "no part has such a name" : `no part is ${hasLines ? "hit" : job.clearance === null ? "in contact" : "in contact or near"}`}
             />
         </Panel>
     );

@@ -60,9 +60,14 @@ export function startOf(motion: Pick<Motion, "depth" | "event">): number {
 
 type Posed = Pick<Scenario, "pose_a" | "pose_b" | "motion">;
 
+/** Returns the time of the motion that is shown; null stands for that of the event. Without a motion it is 0. */
+export function shownTime({ motion }: Pick<Scenario, "motion">, tau: number | null): number {
+    return motion ? (tau ?? startOf(motion)) : 0;
+}
+
 /** Returns the poses in the world that are shown; null stands for the time of the event. */
 export function shownPoses({ pose_a, pose_b, motion }: Posed, tau: number | null): { pose_a: Pose; pose_b: Pose } {
-    return motion ? posesAt(motion, tau ?? startOf(motion)) : { pose_a, pose_b };
+    return motion ? posesAt(motion, shownTime({ motion }, tau)) : { pose_a, pose_b };
 }
 
 /** As `shownPoses`, of B in A's frame. */

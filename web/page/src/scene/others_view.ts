@@ -18,19 +18,28 @@ import { apply, compose } from "../base/pose";
 import type { Pose, Vec3 } from "../base/types";
 import { nearestTriangle, type Ray } from "../viewer/pick";
 import { rayIn } from "../viewer/picking";
+import type { PoseAt } from "./step_bodies";
 
 const grey = 0.38;
 const opacity = 0.26;
 
-/** A body and where it is. */
-export interface OtherBody {
+/** A body and where it is in the world at each time of the step. */
+export interface OtherBody extends Box {
     body: number;
-    pose: Pose;
+    poseAt: PoseAt;
+    /** Null: the edges of its box are drawn. */
+    mesh: Mesh | null;
+}
+
+interface Box {
     /** The least corner and the size of its box, in its own axes. */
     low: Vec3;
     size: Vec3;
-    /** Null: the edges of its box are drawn. */
-    mesh: Mesh | null;
+}
+
+/** A body that is posed in A's frame. */
+interface PosedBody extends OtherBody {
+    pose: Pose;
 }
 
 /** The bodies of one mesh. */
@@ -43,7 +52,7 @@ interface Shape {
 }
 
 /** Returns the eight corners of a body's box, in A's frame; corner i is high in axis k if bit k of i is set. */
-export function boxCornersOf({ pose, low, size }: Pick<OtherBody, "pose" | "low" | "size">): Vec3[] {
+export function boxCornersOf({ pose, low, size }: Box & { pose: Pose }): Vec3[] {
     return Array.from({ length: 8 }, (_, i) =>
         apply(pose, low.map((least, axis) => least + ((i >> axis) & 1) * size[axis]) as Vec3),
     );
@@ -68,7 +77,7 @@ function matrixOf(pose: Pose, centre: Vec3, origin: Vec3): Matrix4 {
 
 export class OthersView {
     readonly group = new Group();
-    /** What is drawn, posed in the world. */
+    /** What is drawn. */
     bodies: readonly OtherBody[] = [];
     /** How far from the stage's origin something is drawn. */
     reach = 0;
@@ -91,11 +100,14 @@ export class OthersView {
         this.line.color.setRGB(grey, grey, grey, SRGBColorSpace);
     }
 
-    /** Draws the bodies about `origin`, a point of A's frame, to which `toA` leads from the world. */
-    place(toA: Pose, origin: Vec3): void {
-        const bodies = this.bodies.map((one) => ({ ...one, pose: compose(toA, one.pose) }));
+    /**
+     * Draws the bodies as they are at a time of the step, about `origin`, a point of A's frame, to which `toA` leads
+     * from the world.
+     */
+    place(toA: Pose, origin: Vec3, tau: number): void {
+        const bodies = this.bodies.map((one) => ({ ...one, pose: compose(toA, one.poseAt(tau)) }));
         const old = this.shapes;
-        this.group.clear();
+        this.clear();
         this.shapes = [];
         for (const one of bodies) {
             if (one.mesh) {
@@ -113,6 +125,18 @@ export class OthersView {
             centre: apply(pose, low.map((least, axis) => least + size[axis] / 2) as Vec3),
         }));
         this.reach = corners.reduce((most, at) => Math.max(most, Math.hypot(...at.map((x, i) => x - origin[i]))), 0);
+    }
+
+    /** Drops what is drawn; geometries of meshes are kept for the next drawing. */
+    private clear(): void {
+        for (const child of this.group.children) {
+            if (child instanceof InstancedMesh) {
+                child.dispose();
+            } else if (child instanceof LineSegments) {
+                child.geometry.dispose();
+            }
+        }
+        this.group.clear();
     }
 
     private shapeOf(mesh: Mesh, old: readonly Shape[]): Shape {
@@ -139,7 +163,7 @@ export class OthersView {
         });
     }
 
-    private addBoxes(bodies: readonly OtherBody[], origin: Vec3): void {
+    private addBoxes(bodies: readonly PosedBody[], origin: Vec3): void {
         if (bodies.length === 0) {
             return;
         }
@@ -180,7 +204,7 @@ export class OthersView {
     }
 
     dispose(): void {
-        this.group.clear();
+        this.clear();
         this.shapes.forEach((one) => one.geometry.dispose());
         [this.depth, this.veil, this.line].forEach((material) => material.dispose());
     }

@@ -21,7 +21,7 @@ export function pairsOfStep(
         .sort((a, b) => severity(classes[b]) - severity(classes[a]) || a - b);
 }
 
-function othersText({ form, count, error }: Others, isCut: boolean): string {
+export function othersText({ form, count, boxes, error }: Others, isCut: boolean): string {
     const cut = isCut ? " Bodies of the step's last scenarios are left out." : "";
     const bodies = count === 1 ? "1 other body" : `${grouped(count)} other bodies`;
     if (error) {
@@ -30,7 +30,8 @@ function othersText({ form, count, error }: Others, isCut: boolean): string {
     if (form === "boxes") {
         return `${bodies}: boxes only, above ${othersMax} bodies or ${grouped(drawnTrianglesMax)} triangles.${cut}`;
     }
-    return `${bodies} near another at this step, faint.${cut}`;
+    const left = boxes > 0 ? ` Of ${grouped(boxes)} this report has no mesh, so boxes are drawn.` : "";
+    return `${bodies} near another at this step, faint.${left}${cut}`;
 }
 
 /** The scenarios of the step; a click opens one. */
@@ -42,6 +43,8 @@ export function StepPairs(props: {
     /** Which bodies are listed: those whose names hold this text. */
     text: string;
     setText: (text: string) => void;
+    /** The scenarios of a report; others cannot be opened there. Left out: all can. */
+    held?: readonly number[] | undefined;
     open: (scenario: number) => void;
 }) {
     const { job, step } = props;
@@ -60,17 +63,19 @@ export function StepPairs(props: {
             <ul class="pairs">
                 {found.slice(0, shownMax).map((i) => {
                     const [a, b] = bodyNames(job, [step.rows[3 * i + 1], step.rows[3 * i + 2]]);
+                    const scenario = step.first + i;
                     return (
                         <li key={i}>
                             <button
                                 type="button"
-                                aria-pressed={step.first + i === props.scenario}
-                                onClick={() => props.open(step.first + i)}
+                                aria-pressed={scenario === props.scenario}
+                                disabled={props.held?.includes(scenario) === false}
+                                onClick={() => props.open(scenario)}
                             >
                                 <span>
                                     <ClassMark kind={step.classes[i]} /> <Name text={a} /> <i>×</i> <Name text={b} />
                                 </span>
-                                <b>#{grouped(step.first + i)}</b>
+                                <b>#{grouped(scenario)}</b>
                             </button>
                         </li>
                     );

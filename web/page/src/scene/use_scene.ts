@@ -1,6 +1,6 @@
 /** What the viewer shows of a scene beside the pair of bodies: the steps, and the other bodies of the step. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { isAbort, messageOf } from "../base/api";
+import { ApiError, isAbort, messageOf } from "../base/api";
 import type { Mesh } from "../base/mesh";
 import { type Job, pairOf, type Vec3 } from "../base/types";
 import { meshOf } from "../viewer/model";
@@ -29,42 +29,73 @@ export function useSteps(job: Job | undefined): { steps: Steps | null; error: st
     return loaded;
 }
 
-/** The bodies of the step of the scenario that is shown; null until they are read. */
-export function useStepBodies(job: Job, steps: Steps | null, contacts: Contacts | null) {
-    const [found, setFound] = useState<{ bodies: StepBodies | null; error: string }>({ bodies: null, error: "" });
+/** Whether a report lacks what was asked for, since it had no room for it. */
+function isLeftOut(error: unknown): boolean {
+    return error instanceof ApiError && error.status === 404;
+}
+
+/** What is known of a step: its bodies, null until they are read; else why they are not. */
+interface FoundStep {
+    bodies: StepBodies | null;
+    error: string;
+    /** Whether this report had no room for the step of the scenario. */
+    isLeftOut: boolean;
+}
+
+const noStep: FoundStep = { bodies: null, error: "", isLeftOut: false };
+
+/** The bodies of the step of the scenario that is shown. A report asks for single steps, and has no `steps`. */
+export function useStepBodies(
+    job: Job,
+    steps: Steps | null,
+    contacts: Contacts | null,
+    isInReport: boolean,
+): FoundStep {
+    const [found, setFound] = useState<FoundStep & { step?: number }>(noStep);
     const step = contacts?.scenario.step;
     useEffect(() => {
-        if (steps === null || step === undefined) {
+        if ((steps === null && !isInReport) || step === undefined) {
             return;
         }
         const stop = new AbortController();
+        const fail = (error: unknown) => {
+            const lacks = isInReport && isLeftOut(error);
+            setFound({ ...noStep, step, error: lacks ? "" : messageOf(error), isLeftOut: lacks });
+        };
         loadStep(job, steps, step, stop.signal).then(
-            (bodies) => setFound({ bodies, error: "" }),
-            (error) => isAbort(error) || setFound({ bodies: null, error: messageOf(error) }),
+            (bodies) => stop.signal.aborted || setFound({ ...noStep, step, bodies }),
+            (error) => isAbort(error) || stop.signal.aborted || fail(error),
         );
         return () => stop.abort();
     }, [job.job, steps, step]);
-    return found.bodies?.step === step ? found : { ...found, bodies: null };
+    return found.step === step ? found : noStep;
 }
 
+/** Returns the mesh of each body; null for one that is drawn as a box, as one is for which a report had no room. */
 async function meshesOf(job: Job, others: readonly number[], form: OthersForm): Promise<(Mesh | null)[]> {
-    return Promise.all(others.map((body) => (form === "meshes" ? meshOf(job, body) : null)));
+    const read = (body: number) =>
+        meshOf(job, body).catch((error: unknown) => (isLeftOut(error) ? null : Promise.reject(error)));
+    return Promise.all(others.map((body) => (form === "meshes" ? read(body) : null)));
 }
 
 /** How the other bodies of the step are drawn; `error` says why they are not. */
 export interface Others {
     form: OthersForm;
     count: number;
+    /** How many are drawn as boxes although meshes are drawn. */
+    boxes: number;
     error: string;
 }
 
+const noOthers: Others = { form: "none", count: 0, boxes: 0, error: "" };
+
 /** Draws the other bodies of the step, once they are read. */
 export function useOthers(job: Job, viewer: Viewer | null, contacts: Contacts | null, step: StepBodies | null): Others {
-    const [drawn, setDrawn] = useState<Others>({ form: "none", count: 0, error: "" });
+    const [drawn, setDrawn] = useState(noOthers);
     useEffect(() => {
         if (!viewer || !contacts || !step) {
             viewer?.showOthers([]);
-            setDrawn({ form: "none", count: 0, error: "" });
+            setDrawn(noOthers);
             return;
         }
         let isCurrent = true;
@@ -76,16 +107,17 @@ export function useOthers(job: Job, viewer: Viewer | null, contacts: Contacts | 
                 viewer.showOthers(
                     others.map((body, i): OtherBody => {
                         const { low, size } = job.bodies[body];
-                        const pose = step.poses.get(body) ?? [];
-                        return { body, pose, low: low as Vec3, size: size as Vec3, mesh: meshes[i] };
+                        const poseAt = step.poses.get(body) ?? (() => []);
+                        return { body, poseAt, low: low as Vec3, size: size as Vec3, mesh: meshes[i] };
                     }),
                 );
-                setDrawn({ form, count: others.length, error: "" });
+                const boxes = form === "meshes" ? meshes.filter((mesh) => mesh === null).length : 0;
+                setDrawn({ form, count: others.length, boxes, error: "" });
             }
         };
         meshesOf(job, others, form).then(
             finish,
-            (error) => isCurrent && setDrawn({ form: "none", count: others.length, error: messageOf(error) }),
+            (error) => isCurrent && setDrawn({ ...noOthers, count: others.length, error: messageOf(error) }),
         );
         return () => {
             isCurrent = false;

@@ -90,7 +90,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const drawing = useDrawing(canvas, model, contacts, state, heat, (camera) => change({ camera }));
     const { viewer } = drawing;
     const { steps, error: stepsError } = useSteps(report ? undefined : job);
-    const { bodies: stepBodies, error: stepError } = useStepBodies(job, steps, contacts);
+    const found = useStepBodies(job, steps, contacts, report !== undefined);
+    const { bodies: stepBodies, error: stepError } = found;
     const others = useOthers(job, viewer, contacts, stepBodies);
     const [listed, setListed] = useState(""); // Bodies whose pairs are listed.
     const bounds = useMemo(() => boundsOf(model, job), [model, job]);
@@ -104,24 +105,28 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     };
     // A link that was followed, or the browser's back and forward.
     const [arrivals, setArrivals] = useState(0);
-    const isFromLink = useRef(true); // Not by a step or a search from another scenario.
+    const arrival = useRef<"link" | "search" | "step">("link"); // How the scenario was reached.
     const sought = useRef(-1);
     useEffect(() => {
-        isFromLink.current = route.scenario !== sought.current;
+        arrival.current = route.scenario === sought.current ? "search" : "link";
         sought.current = -1;
         setScenario(route.scenario);
         setState(readState(route.query, names));
         setArrivals((old) => old + 1);
     }, [route]);
     useEffect(look, [viewer, arrivals]);
-    // Whose part a link names without a body is known with the meshes. Other bodies have other parts.
+    // Whose part a link names without a body is known with the meshes. Other bodies have other parts, but what a
+    // search found has the parts that it was for.
     useEffect(() => {
-        if (model && isFromLink.current) {
-            const [partA, partB] = readParts(route.query, names);
+        if (!model) {
+            return;
+        }
+        const [partA, partB] = arrival.current === "step" ? ["", ""] : readParts(route.query, names);
+        if (arrival.current === "link") {
             change({ partA, partB });
             look();
-        } else if (model) {
-            change({ partA: "", partB: "", pick: null, camera: null });
+        } else {
+            change({ partA, partB, pick: null, camera: null });
         }
     }, [model]);
     const linkTo = (number: number, camera: number[] | null) =>
@@ -148,7 +153,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const scenarios = useMemo(() => new Scenarios(job.scenarios, report?.scenarios), [job, report]);
     const place = scenarios.placeOf(scenario);
     const move = (to: number) => {
-        isFromLink.current = false;
+        arrival.current = "step";
         setScenario(scenarios.at(to));
         change({ tau: null });
     };
@@ -167,10 +172,9 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         return () => clearTimeout(timer);
     }, [isPlaying, contacts, scenario]);
 
-    const partsOfBodies = async () => model?.parts ?? Promise.all([getParts(job.job, 0), getParts(job.job, 1)]);
+    const partsOfBodies = async () => model?.parts ?? Promise.all([getParts(job.job, pair[0]), getParts(job.job, pair[1])]);
     const within = steps && state.filter.steps ? steps.rangeOf(...steps.within(state.filter.steps)) : undefined;
-    // Parts are those of one pair of bodies, and a search in a scene is over all pairs.
-    const wanted = hasSteps ? { ...state, partA: "", partB: "" } : state;
+    const wanted = { ...state, bodies: pair };
     const find: FindNext = (step, signal, tell) =>
         report && model
             ? nextHeldContact({ job, from: scenario, step }, report.scenarios, wanted, model.parts)
@@ -254,6 +258,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
             />
             <Trust model={model} contacts={contacts} />
             {error && <Notice kind="bad">{error}</Notice>}
+            {found.isLeftOut && (
+                <Notice kind="warn">
+                    This report has no room for the other bodies of this step; <code>cdctl view {run}</code> shows them.
+                </Notice>
+            )}
             <Scrub
                 scenarios={scenarios}
                 isInReport={report !== undefined}
@@ -320,7 +329,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 state={state}
                                 bounds={bounds}
                                 hasMap={job.maps}
-                                hasOthers={steps !== null}
+                                hasOthers={steps !== null || (report !== undefined && stepBodies !== null)}
                                 lines={{
                                     areDrawn: hasLines,
                                     hasAllHits: hasLines && job.first_hits !== true,
@@ -366,13 +375,15 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             others={others}
                             text={listed}
                             setText={setListed}
-                            open={move}
+                            held={report?.scenarios}
+                            open={(number) => move(scenarios.placeOf(number))}
                         />
                     )}
                     {contacts && model && (
                         <PartPairs
                             contacts={contacts}
                             model={model}
+                            bodies={hasSteps ? names.bodies : null}
                             state={state}
                             choose={(partA, partB) => change({ partA, partB })}
                         />

@@ -42,10 +42,14 @@ export function partPairsOf(pairs: Uint32Array, parts: readonly [BodyParts, Body
 export function PartPairs(props: {
     contacts: Contacts;
     model: Model;
+    /** The names of a scene's two bodies, which stand before those of their parts; null in a job of two bodies. */
+    bodies: readonly [string, string] | null;
     state: ViewState;
     choose: (a: string, b: string) => void;
 }) {
-    const { state } = props;
+    const { state, bodies } = props;
+    const nameOf = (side: 0 | 1, part: string) => (bodies ? `${bodies[side]}/${part}` : part);
+    const allOf = (side: 0 | 1) => (bodies ? bodies[side] : `all of ${"AB"[side]}`);
     const all = useMemo(() => partPairsOf(props.contacts.pairs, props.model.parts), [props.contacts, props.model]);
     if (all.length === 0 && !state.partA && !state.partB) {
         return null;
@@ -69,11 +73,11 @@ export function PartPairs(props: {
                             onClick={() => (isChosen(pair) ? props.choose("", "") : props.choose(pair.a, pair.b))}
                         >
                             <span>
-                                <Name text={pair.a} />
+                                <Name text={nameOf(0, pair.a)} />
                                 {!hasLines && (
                                     <>
                                         {" "}
-                                        <i>×</i> <Name text={pair.b} />
+                                        <i>×</i> <Name text={nameOf(1, pair.b)} />
                                     </>
                                 )}
                             </span>
@@ -88,7 +92,8 @@ export function PartPairs(props: {
             {all.length > shownMax && <p class="note">and {counted(all.length - shownMax, "pair")} of parts more</p>}
             {(state.partA || state.partB) && (
                 <p class="note">
-                    only <Name text={state.partA || "all of A"} /> × <Name text={state.partB || "all of B"} />;{" "}
+                    only <Name text={state.partA ? nameOf(0, state.partA) : allOf(0)} /> ×{" "}
+                    <Name text={state.partB ? nameOf(1, state.partB) : allOf(1)} />;{" "}
                     <button type="button" class="link" onClick={() => props.choose("", "")}>
                         show all
                     </button>

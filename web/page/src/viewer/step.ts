@@ -2,12 +2,15 @@
 import { ApiError, getArray, getJson, pause } from "../base/api";
 import { near, numberOf } from "../base/classes";
 import type { BodyParts } from "../base/parts";
-import type { Job, Scenario } from "../base/types";
+import { bodyNames, type BodyPair, isScene, type Job, pairOf, type Scenario } from "../base/types";
 import { nearPair } from "./contacts_view";
 import type { ViewState } from "./view_state";
 
-/** What is sought, and the parts of A and B that are wanted; an empty name stands for all. */
-type Wanted = Pick<ViewState, "partA" | "partB" | "seek"> & { filter?: { body: string } };
+/**
+ * What is sought, and the parts of two bodies that are wanted; an empty name stands for all. The bodies are those
+ * of `bodies`, of a job that is no scene A and B.
+ */
+export type Wanted = Pick<ViewState, "partA" | "partB" | "seek"> & { filter?: { body: string }; bodies: BodyPair };
 type PartsOfBodies = readonly [BodyParts, BodyParts];
 
 /** One search: from a scenario, up (1) or down (-1), until `signal` ends it; `tell` hears how far it came. */
@@ -44,12 +47,16 @@ async function nextRecorded(search: Search, wanted: Wanted): Promise<number | nu
     if (wanted.seek !== "contact") {
         query.set("class", wanted.seek);
     }
-    if (wanted.partA) {
-        query.set("part_a", wanted.partA);
-    }
-    if (wanted.partB) {
-        query.set("part_b", wanted.partB);
-    }
+    const bodies = bodyNames(job, wanted.bodies);
+    (["a", "b"] as const).forEach((side, i) => {
+        const part = [wanted.partA, wanted.partB][i];
+        if (part) {
+            query.set(`part_${side}`, part);
+        }
+        if (part && isScene(job)) {
+            query.set(`body_${side}`, bodies[i]);
+        }
+    });
     if (wanted.filter?.body) {
         query.set("body", wanted.filter.body);
     }
@@ -66,11 +73,20 @@ async function nextRecorded(search: Search, wanted: Wanted): Promise<number | nu
     }
 }
 
-/** Whether rows of pairs have a sought one of both wanted parts. */
-export function hasPairOf(pairs: ArrayLike<number>, { partA, partB, seek }: Wanted, parts: PartsOfBodies): boolean {
+/** Whether rows of pairs of the bodies `of` have a sought one of both wanted parts. */
+export function hasPairOf(
+    pairs: ArrayLike<number>,
+    { partA, partB, seek, bodies }: Wanted,
+    parts: PartsOfBodies,
+    of: BodyPair,
+): boolean {
+    const wanted = [partA, partB].flatMap((part, i) => (part ? [{ part, side: of.indexOf(bodies[i]), of: parts[i] }] : []));
+    if (wanted.some(({ side }) => side < 0)) {
+        return false;
+    }
     for (let i = 0; i + 2 < pairs.length; i += 3) {
         const fits = seek === "either" || (pairs[i + 2] === nearPair) === (seek === "near");
-        if (fits && parts[0].isOf(pairs[i], partA) && parts[1].isOf(pairs[i + 1], partB)) {
+        if (fits && wanted.every((one) => one.of.isOf(pairs[i + one.side], one.part))) {
             return true;
         }
     }
@@ -98,7 +114,12 @@ async function mayHave({ job, signal }: Search, scenario: number, wanted: Wanted
         return one.draw_note !== "";
     }
     const pairs = await patiently(() => getArray(path(job.job, `${scenario}/pairs`), signal));
-    return pairs.cut || hasPairOf(pairs.values, wanted, parts);
+    return pairs.cut || hasPairOf(pairs.values, wanted, parts, pairOf(one));
+}
+
+/** Returns the body of a scene whose scenarios alone can have the wanted parts, or that is wanted; or none. */
+function bodyOfParts(job: Job, { partA, bodies, filter }: Wanted): string {
+    return isScene(job) && !filter?.body ? bodyNames(job, bodies)[partA ? 0 : 1] : (filter?.body ?? "");
 }
 
 /** Returns the next scenario that is sought, null at the job's end. */
@@ -118,8 +139,9 @@ export async function nextContact(
             throw new Error(`the body has no part '${part}'`);
         }
     });
+    const records = { ...wanted, partA: "", partB: "", filter: { body: bodyOfParts(search.job, wanted) } };
     for (let from = search.from; ; search.tell(from)) {
-        const found = await nextRecorded({ ...search, from }, { ...wanted, partA: "", partB: "" });
+        const found = await nextRecorded({ ...search, from }, records);
         if (found === null || (await mayHave(search, found, wanted, parts))) {
             return found;
         }
@@ -136,6 +158,13 @@ async function isSought(job: Job, scenario: number, { seek }: Wanted): Promise<b
     return (numberOf(one.class) === near) === (seek === "near");
 }
 
+/** Whether a scenario of a report has a pair of both wanted parts. */
+async function hasParts(job: Job, scenario: number, wanted: Wanted, parts: PartsOfBodies): Promise<boolean> {
+    const one = await getJson<Scenario>(path(job.job, String(scenario)));
+    const pairs = await getArray(path(job.job, `${scenario}/pairs`));
+    return hasPairOf(pairs.values, wanted, parts, pairOf(one));
+}
+
 /** As `nextContact`, of the scenarios of a report, which are all in contact or near. */
 export async function nextHeldContact(
     { job, from, step }: Pick<Search, "job" | "from" | "step">,
@@ -148,7 +177,7 @@ export async function nextHeldContact(
         if (!(await isSought(job, scenario, wanted))) {
             continue;
         }
-        if (isAny(wanted) || hasPairOf((await getArray(path(job.job, `${scenario}/pairs`))).values, wanted, parts)) {
+        if (isAny(wanted) || (await hasParts(job, scenario, wanted, parts))) {
             return scenario;
         }
     }

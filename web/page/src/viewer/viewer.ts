@@ -3,7 +3,7 @@ import type { Rgb } from "../base/classes";
 import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Vec3 } from "../base/types";
-import { hasContactsAt, isNearEvent, pathOf, shownPose, shownPoses } from "../motion/motion";
+import { hasContactsAt, isNearEvent, pathOf, shownPose, shownPoses, shownTime } from "../motion/motion";
 import { PathView } from "../motion/path_view";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf, proper } from "./contacts_view";
@@ -80,7 +80,7 @@ export class Viewer {
         [this.fitted, this.isOtherPair] = [null, true];
     }
 
-    /** Draws these bodies, posed in the world, beside the pair. */
+    /** Draws these bodies beside the pair, at the time that is shown. */
     showOthers(others: readonly OtherBody[]): void {
         this.others.bodies = others;
         this.placeOthers();
@@ -89,7 +89,9 @@ export class Viewer {
 
     private placeOthers(): void {
         if (this.contacts && this.state) {
-            this.others.place(inverse(shownPoses(this.contacts.scenario, this.state.tau).pose_a), this.origin);
+            const { scenario } = this.contacts;
+            const toA = inverse(shownPoses(scenario, this.state.tau).pose_a);
+            this.others.place(toA, this.origin, shownTime(scenario, this.state.tau));
         }
         this.stage.setRadius(Math.max(this.radius, this.others.reach));
     }
