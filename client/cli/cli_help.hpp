@@ -43,7 +43,8 @@ A job.toml has the keys name, unit, and the tables
              | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };
              unit = "mm" (of their lengths), quat_order = "xyzw", of = "both",
              rigid_tolerance = 1e-5. A .csv names its columns: x,y,z,qx,qy,qz,qw, or some of
-             x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23
+             x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23; with [motion] also
+             vx, vy, vz, ax, ay, az, and wx, wy, wz in radians a second (or wx_deg, ...)
   [shots]    lines through a, instead of [b] and [poses]: spacing = 0.01, tile = 64,
              azimuth_deg = [0, 355, 72], elevation_deg = [-30, 90, 13], jitter = { seed = 1 },
              first = true: only the first hits; or file = "rays.npy", form = "rays" | "ends"

@@ -43,7 +43,7 @@ double rounding_of(const CurvePhase& phase, double radius) {
     return 0x1p-47 * reach;
 }
 
-/// Returns the number of equal parts of a phase.
+/// Returns into how many equal parts a phase is cut for keys within `off_max` of it.
 double parts_of(const CurvePhase& phase, double radius, double off_max) {
     const double turned = phase.spin.norm() * phase.seconds;
     const double bent = acceleration_of(phase) * phase.seconds * phase.seconds / 8;
@@ -65,21 +65,28 @@ Pose CurvePhase::at(double time) const {
     return Pose::from_quaternion(turned * turn, place);
 }
 
+Result<double> key_parts(const CurvePhase& phase, double radius, double off_max, double share) {
+    const double rounding = rounding_of(phase, radius);
+    if (!(rounding <= off_max * share / 6)) {
+        return bad_input("numbers of 64 bits do not tell the curve within " + exact_text(off_max) +
+                         "; allow at least " + exact_text(rounding * (6 / share)));
+    }
+    return parts_of(phase, radius, share * off_max - rounding);
+}
+
+Error too_many_keys(double off_max) {
+    return {ErrorCode::TooLarge,
+            "the curve takes more than " + exact_text(curve_keys_max) + " keys to stay within " +
+                exact_text(off_max) + "; allow more, or cut the curve in pieces"};
+}
+
 Result<CurveKeys> keys_along(const std::vector<CurvePhase>& phases, double radius, double off_max) {
     CurveKeys keys;
     double begin = 0;
     for (const CurvePhase& phase : phases) {
-        const double rounding = rounding_of(phase, radius);
-        if (!(rounding <= off_max / 8)) {
-            return bad_input("numbers of 64 bits do not tell the curve within " +
-                             exact_text(off_max) + "; allow at least " + exact_text(8 * rounding));
-        }
-        const double parts = parts_of(phase, radius, (1 - grid_share) * off_max - rounding);
+        const double parts = CD_TRY(key_parts(phase, radius, off_max, 1 - grid_share));
         if (!(parts + static_cast<double>(keys.poses.size()) < curve_keys_max)) {
-            return Error{ErrorCode::TooLarge,
-                         "the curve takes more than " + exact_text(curve_keys_max) +
-                             " keys to stay within " + exact_text(off_max) +
-                             "; allow more, or cut the curve in pieces"};
+            return too_many_keys(off_max);
         }
         // The first key of a later phase is the last one of the phase before.
         for (double i = keys.poses.empty() ? 0 : 1; i <= parts; ++i) {

@@ -45,6 +45,15 @@ inline constexpr double curve_keys_max = 1e6;
 /// The share of the distance from a curve that is left for the rounding of keys to a grid.
 inline constexpr double grid_share = 0.25;
 
+/// Returns into how many equal times a phase is cut, a whole number, so that motions between keys
+/// at these times keep every point of B within `share` of `off_max` of it, as `keys_along` says.
+/// `radius` is B's. Errors: BadInput if roundings take more than a sixth of that.
+[[nodiscard]] Result<double>
+key_parts(const CurvePhase& phase, double radius, double off_max, double share);
+
+/// Returns the error TooLarge that says that a curve needs more than `curve_keys_max` keys.
+[[nodiscard]] Error too_many_keys(double off_max);
+
 /// Makes keys at equal times of each phase, as many as it takes that the motion from each to the
 /// next (common/motion/body_path.hpp) keeps every point of B within `off_max` of the curve, at all
 /// times, even if the keys are then rounded to a grid (motion_keys.hpp) and that moves the motion

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -18,6 +19,37 @@ double longest_edge(const Corners& corners) {
     return std::max({(corners[1] - corners[0]).stableNorm(),
                      (corners[2] - corners[1]).stableNorm(),
                      (corners[0] - corners[2]).stableNorm()});
+}
+
+/// A body as a warning names it.
+struct WarnedBody {
+    const std::string* name;
+    const Mesh* mesh;
+};
+
+/// Warns of the first body whose triangles are mostly smaller than the clearance.
+std::optional<std::string>
+warning_of(const Query& query, const std::string& unit, std::span<const WarnedBody> bodies) {
+    if (!query.clearance || query.level < Level::Pairs) {
+        return std::nullopt;
+    }
+    std::set<const Mesh*> known;
+    for (const WarnedBody& body : bodies) {
+        if (!known.insert(body.mesh).second) {
+            continue;
+        }
+        const double edge = median_edge(*body.mesh);
+        if (*query.clearance > edge) {
+            return fmt::format("warning: the clearance of {0} {1} exceeds most triangles of {2} "
+                               "(median edge {3:.3g} {1}), so lists of near pairs grow long; level "
+                               "any or count makes no lists",
+                               exact_text(*query.clearance),
+                               unit,
+                               *body.name,
+                               edge);
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -34,26 +66,19 @@ double median_edge(const Mesh& mesh) {
 }
 
 std::optional<std::string> clearance_warning(const PreparedJob& job) {
-    if (!job.query.clearance || job.query.level < Level::Pairs) {
-        return std::nullopt;
-    }
-    std::set<const Mesh*> known;
+    std::vector<WarnedBody> bodies;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        if (!known.insert(job.meshes[i].get()).second) {
-            continue;
-        }
-        const double edge = median_edge(*job.meshes[i]);
-        if (*job.query.clearance > edge) {
-            return fmt::format("warning: the clearance of {0} {1} exceeds most triangles of {2} "
-                               "(median edge {3:.3g} {1}), so lists of near pairs grow long; level "
-                               "any or count makes no lists",
-                               exact_text(*job.query.clearance),
-                               job.spec.unit,
-                               job.names[i],
-                               edge);
-        }
+        bodies.push_back({&job.names[i], job.meshes[i].get()});
     }
-    return std::nullopt;
+    return warning_of(job.query, job.spec.unit, bodies);
+}
+
+std::optional<std::string> clearance_warning(const JobSpec& spec, const SceneBodies& scene) {
+    std::vector<WarnedBody> bodies;
+    for (const NamedBody& body : scene.bodies) {
+        bodies.push_back({&body.name, scene.meshes[body.mesh].get()});
+    }
+    return warning_of(spec.query, spec.unit, bodies);
 }
 
 } // namespace cd

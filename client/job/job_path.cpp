@@ -43,6 +43,48 @@ Status check_chord(const JobSpec& spec, const JobMotions& motions) {
                      exact_text(moved) + "; make it at least " + exact_text(moved / grid_share));
 }
 
+/// Scenarios that are keys of a file's rows, whose places they have.
+class KeySource final : public PoseSource {
+  public:
+    KeySource(std::vector<Scenario> keys, std::vector<std::string> places)
+        : keys_(make_list_source(std::move(keys))), places_(std::move(places)) {}
+
+    [[nodiscard]] std::uint64_t count() const override { return keys_->count(); }
+    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                     std::uint64_t count) override {
+        return keys_->read(first, count);
+    }
+    [[nodiscard]] std::string place_of(std::uint64_t scenario) const override {
+        return places_[scenario];
+    }
+
+  private:
+    std::unique_ptr<PoseSource> keys_;
+    std::vector<std::string> places_; ///< By scenario.
+};
+
+/// Returns the rows of a job's poses, each with its rates: of B, or of A and B.
+Result<std::vector<KeyRow>> rows_of(PreparedJob& job, const std::vector<PoseRates>& rates) {
+    const auto scenarios = CD_TRY(job.poses->read(0, job.poses->count()));
+    const std::size_t each = rates.size() / scenarios.size();
+    std::vector<KeyRow> rows(scenarios.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].time = job.labels.times.empty() ? static_cast<double>(i) : job.labels.times[i];
+        rows[i].poses = scenarios[i].poses;
+        rows[i].rates[1] = rates[each * i + each - 1];
+        if (each == 2) {
+            rows[i].rates[0] = rates[2 * i];
+        }
+    }
+    return rows;
+}
+
+std::string keys_note(const PreparedJob& job, double off_max) {
+    return "note: " + counted(job.poses->count(), "key") + " of the curve, within " +
+           exact_text(off_max) + " " + job.spec.unit +
+           (job.spec.chord ? ", by which the clearance grows" : " of it");
+}
+
 /// Inserts poses between those of a job.
 Status make_steps(PreparedJob& job, double max_step) {
     auto made = CD_TRY(
@@ -81,9 +123,41 @@ Status make_keys(PreparedJob& job, const CurveSpec& curve) {
     }
     job.poses = make_list_source(std::move(scenarios));
     job.labels.times = std::move(keys.times);
-    job.warnings.push_back("note: " + counted(job.poses->count(), "key") +
-                           " of the curve, within " + exact_text(off_max) + " " + job.spec.unit +
-                           (job.spec.chord ? ", by which the clearance grows" : " of it"));
+    job.warnings.push_back(keys_note(job, off_max));
+    return Done{};
+}
+
+Status make_row_keys(PreparedJob& job, const std::vector<PoseRates>& rates) {
+    const std::string place = place_of_poses(job.spec.poses);
+    if (rates.empty()) {
+        return job.spec.chord
+                   ? bad_input(job.spec.file.string() + ": [motion]: " + std::string(chord_use))
+                   : Status(Done{});
+    }
+    if (!job.query.motion && !job.spec.max_step) {
+        job.warnings.push_back("note: " + place +
+                               "its velocities count with [motion] or max_step "
+                               "alone; poses are tested as they are");
+        return Done{};
+    }
+    const double off_max = off_curve_max(job.spec);
+    const BodyRadii radii{body_radius(job.meshes[0]->vertices()),
+                          body_radius(job.meshes[1]->vertices())};
+    const auto rows = CD_TRY(rows_of(job, rates));
+    const auto name = [&](std::size_t row) { return job.poses->place_of(row); };
+    auto keys =
+        CD_TRY(within(place, keys_between(rows, radii, rates.size() / rows.size(), off_max, name)));
+    std::vector<Scenario> scenarios(keys.poses.size());
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        scenarios[i].index = i;
+        scenarios[i].poses = keys.poses[i];
+        places.push_back(name(keys.rows[i]));
+    }
+    job.poses = std::make_unique<KeySource>(std::move(scenarios), std::move(places));
+    job.labels = {};
+    job.labels.times = std::move(keys.times);
+    job.warnings.push_back(keys_note(job, off_max));
     return Done{};
 }
 

@@ -188,7 +188,7 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     for (const std::string& warning : file.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
-    return Done{};
+    return make_row_keys(job, file.rates);
 }
 
 void describe(PreparedJob& job, const BodyNotes& notes) {

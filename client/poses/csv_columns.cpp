@@ -48,6 +48,12 @@ constexpr std::string_view known_columns =
 constexpr std::array<std::string_view, 3> angle_names{"roll", "pitch", "yaw"};
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
+/// The columns of a vector: how the body moves from its pose on.
+using RateNames = std::array<std::string_view, 3>;
+constexpr std::array<RateNames, 3> rate_names{
+    RateNames{"vx", "vy", "vz"}, RateNames{"ax", "ay", "az"}, RateNames{"wx", "wy", "wz"}};
+constexpr RateNames spin_in_degrees{"wx_deg", "wy_deg", "wz_deg"};
+
 const std::vector<std::string_view>& names_of(ColumnSet set) {
     static const std::vector<std::string_view> quaternion{"x", "y", "z", "qx", "qy", "qz", "qw"};
     static const std::vector<std::string_view> euler{"x", "y", "z", "roll", "pitch", "yaw"};
@@ -128,16 +134,55 @@ Status find_numbers(const HeaderNames& names, std::uint64_t line, CsvColumns& co
     return Done{};
 }
 
+/// Returns true if the file has the columns of a vector. Errors: BadInput for one or two of them.
+Result<bool> has_rates(const HeaderNames& names, const RateNames& wanted, std::uint64_t line) {
+    const auto missing =
+        std::ranges::find_if(wanted, [&](std::string_view name) { return !names.has(name); });
+    const auto given =
+        std::ranges::find_if(wanted, [&](std::string_view name) { return names.has(name); });
+    if (given == wanted.end() || missing == wanted.end()) {
+        return missing == wanted.end();
+    }
+    return error_in_line(line,
+                         "column '" + std::string(*given) + "' needs column '" +
+                             std::string(*missing) + "' as well");
+}
+
+/// Finds the columns of velocity, acceleration and spin. Errors: BadInput for one or two columns of
+/// three, and for a spin in both units.
+Status find_rates(const HeaderNames& names, std::uint64_t line, CsvColumns& columns) {
+    const bool has_degrees = CD_TRY(has_rates(names, spin_in_degrees, line));
+    bool has_any = has_degrees;
+    for (const RateNames& wanted : rate_names) {
+        const bool is_spin = &wanted == &rate_names.back();
+        const bool has_these = CD_TRY(has_rates(names, wanted, line));
+        if (is_spin && has_these && has_degrees) {
+            return error_in_line(line, "columns 'wx' and 'wx_deg' are one spin");
+        }
+        has_any = has_any || has_these;
+        const RateNames& found = is_spin && has_degrees ? spin_in_degrees : wanted;
+        for (const std::string_view name : found) {
+            columns.rates.push_back(
+                {names.index_of(name), is_spin && has_degrees ? 1 / degrees_per_radian : 1});
+        }
+    }
+    if (!has_any) {
+        columns.rates.clear();
+    }
+    return Done{};
+}
+
 /// Checks all column names. Errors: BadInput for an unknown or a repeated column.
 Status check_others(const HeaderNames& names, std::uint64_t line, const CsvColumns& columns) {
     constexpr std::array<std::string_view, 7> others{
         "id", "t", "time", "name", "scenario", "step", "body"};
     for (std::size_t i = 0; i < names.all().size(); ++i) {
         const std::string& name = names.all()[i];
-        const bool is_number =
-            std::ranges::any_of(columns.numbers, [&](const NumberColumn& column) {
-                return column.index != no_column && names.all()[column.index] == name;
-            });
+        const auto is_this = [&](const NumberColumn& column) {
+            return column.index != no_column && names.all()[column.index] == name;
+        };
+        const bool is_number = std::ranges::any_of(columns.numbers, is_this) ||
+                               std::ranges::any_of(columns.rates, is_this);
         if (!is_number && std::find(others.begin(), others.end(), name) == others.end()) {
             return error_in_line(
                 line, "column '" + name + "' is not known; " + std::string(known_columns));
@@ -150,8 +195,11 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const CsvColum
 }
 
 /// Checks the columns that name scenario, step and body. Errors: BadInput for one that is missing,
-/// or that belongs to other rows.
-Status check_bodies(const HeaderNames& names, std::uint64_t line, CsvRows rows) {
+/// or that belongs to other rows; columns of velocities in a scene.
+Status check_bodies(const HeaderNames& names,
+                    std::uint64_t line,
+                    CsvRows rows,
+                    const CsvColumns& columns) {
     if (rows == CsvRows::Scene && (!names.has("step") || !names.has("body"))) {
         return error_in_line(line, "poses of a scene need the columns 'step' and 'body'");
     }
@@ -163,6 +211,11 @@ Status check_bodies(const HeaderNames& names, std::uint64_t line, CsvRows rows) 
     }
     if (rows != CsvRows::Scene && names.has("step")) {
         return error_in_line(line, "column 'step' is for the [poses] of a job with [bodies]");
+    }
+    if (rows == CsvRows::Scene && !columns.rates.empty()) {
+        return error_in_line(line,
+                             "velocities are for the poses of two bodies; bodies of a scene move "
+                             "straight from step to step, so leave the columns out");
     }
     if (rows == CsvRows::BodyB && names.has("scenario")) {
         return error_in_line(
@@ -228,8 +281,9 @@ Result<CsvColumns> read_csv_header(std::string_view line, std::uint64_t number, 
     columns.time = names.index_of("t");
     CD_TRY(check_angles(names, number));
     CD_TRY(find_numbers(names, number, columns));
+    CD_TRY(find_rates(names, number, columns));
     CD_TRY(check_others(names, number, columns));
-    CD_TRY(check_bodies(names, number, rows));
+    CD_TRY(check_bodies(names, number, rows, columns));
     return columns;
 }
 
@@ -267,6 +321,27 @@ Result<std::vector<double>> read_csv_numbers(const std::vector<std::string_view>
         turn_angles(numbers);
     }
     return numbers;
+}
+
+Result<std::vector<double>> read_csv_rates(const std::vector<std::string_view>& words,
+                                           const CsvColumns& columns,
+                                           std::uint64_t line) {
+    std::vector<double> rates;
+    for (std::size_t i = 0; i < columns.rates.size(); ++i) {
+        const NumberColumn& column = columns.rates[i];
+        if (column.index == no_column) {
+            rates.push_back(0);
+            continue;
+        }
+        const auto number = number_of(words[column.index], column.factor);
+        if (!number || std::isnan(*number)) {
+            return error_in_line(line,
+                                 std::string(rate_names[i / 3][i % 3]) + " is '" +
+                                     std::string(words[column.index]) + "', not a number");
+        }
+        rates.push_back(*number);
+    }
+    return rates;
 }
 
 } // namespace cd

@@ -52,13 +52,16 @@ struct CsvColumns {
     std::size_t id = no_column;
     std::size_t time = no_column;
     std::size_t count = 0;
+    /// Of velocity, acceleration and spin; empty if the file has none of them. Factors convert
+    /// degrees to radians.
+    std::vector<NumberColumn> rates;
 
     /// Number of the numbers that `read_csv_numbers` returns: 12 of a matrix, else 7.
     [[nodiscard]] std::size_t numbers_each() const { return set == ColumnSet::Matrix ? 12 : 7; }
 };
 
 /// Finds the columns that the first line names. Errors: BadInput naming the line and the column
-/// that is missing, unknown or repeated.
+/// that is missing, unknown or repeated; a velocity with one or two of its three columns.
 [[nodiscard]] Result<CsvColumns>
 read_csv_header(std::string_view line, std::uint64_t number, CsvRows rows);
 
@@ -70,5 +73,12 @@ read_csv_numbers(const std::vector<std::string_view>& words,
                  const CsvColumns& columns,
                  std::uint64_t line,
                  bool allows_nan = false);
+
+/// Reads the velocity, the acceleration and the spin of a line, in the file's unit of length,
+/// seconds and radians; nothing if the file has none of them. Those that it lacks are 0. Errors:
+/// BadInput naming the line, for numbers that are not finite.
+[[nodiscard]] Result<std::vector<double>> read_csv_rates(const std::vector<std::string_view>& words,
+                                                         const CsvColumns& columns,
+                                                         std::uint64_t line);
 
 } // namespace cd

@@ -199,6 +199,11 @@ Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
     opened.warnings = std::move(checked.warnings);
     opened.zeros = checked.table.zeros;
     opened.labels = std::move(checked.table.labels);
+    opened.rates = std::move(checked.table.rates);
+    for (PoseRates& rates : opened.rates) {
+        rates.velocity *= spec.length_factor;
+        rates.acceleration *= spec.length_factor;
+    }
     opened.source = make_table_source(std::move(checked.table));
     return opened;
 }

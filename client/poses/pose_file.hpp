@@ -19,6 +19,9 @@ struct OpenedPoses {
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
     std::vector<std::string> zeros;    ///< Columns missing in the file, which count as 0.
     PoseLabels labels;                 ///< Ids and times of all scenarios, if the file has them.
+    /// How each body moves from its pose on, in the job's unit: a scenario's one, or its two, if
+    /// the file has velocities.
+    std::vector<PoseRates> rates;
 };
 
 /// Opens a file of poses and checks all of them, so that a run does not fail midway.

@@ -1,6 +1,7 @@
 // Reads poses from rows of numbers, and checks that they are rigid.
 #pragma once
 
+#include "client/curves/row_curve.hpp"
 #include "client/formats/npy.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_labels.hpp"
@@ -36,9 +37,10 @@ struct PoseTable {
     bool from_angles = false; ///< Quaternions computed from angles; any norm is accepted.
     std::vector<std::string> zeros = {};   ///< Columns missing in the file, which count as 0.
     std::vector<std::uint64_t> lines = {}; ///< Line of each pose in a text file; else empty.
-    double length_factor = 1;   ///< Factor from the file's unit of translations to the job's.
-    PoseLabels labels = {};     ///< Ids and times of all rows, if the file has them.
-    std::string name = {};      ///< Name of the file.
+    double length_factor = 1; ///< Factor from the file's unit of translations to the job's.
+    PoseLabels labels = {};   ///< Ids and times of all rows, if the file has them.
+    std::string name = {};    ///< Name of the file.
+    std::vector<PoseRates> rates = {}; ///< Of each pose, in the file's unit, if the file has them.
     bool nan_is_absent = false; ///< A pose of which all numbers are NaN is that of an absent body.
 
     [[nodiscard]] std::size_t poses_each() const { return bodies.empty() ? 1 : bodies.size(); }

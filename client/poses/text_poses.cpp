@@ -41,6 +41,36 @@ make_table(std::vector<double> numbers, PoseLayout layout, std::vector<std::stri
     return {NpyRows::of(std::move(array)), layout, std::move(bodies)};
 }
 
+/// The numbers of the rates of a pose: velocity, acceleration, spin.
+constexpr std::size_t rates_size = 9;
+
+/// Takes the rates, which follow the numbers of each pose, out of rows of `size` and `rates_size`
+/// numbers.
+std::vector<PoseRates> take_rates(std::vector<double>& values, std::size_t size) {
+    std::vector<PoseRates> rates;
+    std::vector<double> poses;
+    for (std::size_t row = 0; row < values.size(); row += size + rates_size) {
+        const double* const of_row = &values[row];
+        poses.insert(poses.end(), of_row, of_row + size);
+        const auto vector = [&](std::size_t at) {
+            return Vec3(of_row[at], of_row[at + 1], of_row[at + 2]);
+        };
+        rates.push_back({vector(size), vector(size + 3), vector(size + 6)});
+    }
+    values = std::move(poses);
+    return rates;
+}
+
+/// Reads the pose of a line, and behind it its rates, if the file has them.
+Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& words,
+                                         const CsvColumns& columns,
+                                         std::uint64_t line) {
+    auto numbers = CD_TRY(read_csv_numbers(words, columns, line));
+    const auto rates = CD_TRY(read_csv_rates(words, columns, line));
+    numbers.insert(numbers.end(), rates.begin(), rates.end());
+    return numbers;
+}
+
 /// Adds a row's time to the labels. Errors: BadInput for anything but a finite number.
 Status add_time(std::string_view word, std::uint64_t line, PoseLabels& labels) {
     const auto time = to_number(word);
@@ -171,7 +201,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
         if (!columns) {
             columns = CD_TRY(read_csv_header(
                 line, number, of_both_bodies ? CsvRows::BothBodies : CsvRows::BodyB));
-            both.emplace(columns->numbers_each());
+            both.emplace(columns->numbers_each() + columns->rates.size());
             continue;
         }
         const auto words = split_line(line, ",", false);
@@ -181,7 +211,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
                                      " values, but the first line names " +
                                      std::to_string(columns->count));
         }
-        const auto numbers = CD_TRY(read_csv_numbers(words, *columns, number));
+        const auto numbers = CD_TRY(read_numbers(words, *columns, number));
         if (!of_both_bodies) {
             if (columns->body != no_column && !is_body_b(words[columns->body])) {
                 return error_in_line(
@@ -208,12 +238,17 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
         values = CD_TRY(both->finish());
         lines = both->take_lines();
     }
+    std::vector<PoseRates> rates;
+    if (!columns->rates.empty()) {
+        rates = take_rates(values, columns->numbers_each());
+    }
     PoseTable table =
         make_table(std::move(values),
                    columns->set == ColumnSet::Matrix ? PoseLayout::Matrix34 : PoseLayout::Xyzw,
                    of_both_bodies ? both_bodies() : std::vector<std::string>());
     table.from_angles = columns->set == ColumnSet::Euler;
     table.zeros = std::move(columns->zeros);
+    table.rates = std::move(rates);
     table.lines = std::move(lines);
     table.labels = of_both_bodies ? labels.moved_to(both->order()) : std::move(labels);
     return table;

@@ -192,6 +192,12 @@ class StepsOpening {
 
     Status open_own(const PoseFileSpec& file, std::vector<std::uint32_t> bodies) {
         auto opened = CD_TRY(open_pose_file(file));
+        if (!opened.rates.empty()) {
+            return bad_input(file.path,
+                             "velocities are for the poses of two bodies; bodies of a "
+                             "scene move straight from step to step, so leave the "
+                             "columns out");
+        }
         files_.push_back({file.path.string(), opened.source->count(), opened.labels.times});
         add_warnings(opened.warnings);
         sources_.own.push_back({std::move(opened.source), std::move(bodies)});

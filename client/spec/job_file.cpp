@@ -123,9 +123,10 @@ void read_motion(const TomlFields& job, JobSpec& spec) {
     if (spec.chord && *spec.chord == 0) {
         fields.refuse("chord", "chord is a length above 0, in the job's unit");
     }
-    if (spec.chord && !std::holds_alternative<CurveSpec>(spec.poses)) {
-        fields.refuse(
-            "chord", "chord is for line, arc, screw and drive; keys of a file are the path itself");
+    const bool may_be_curve = std::holds_alternative<CurveSpec>(spec.poses) ||
+                              (std::holds_alternative<PoseFileSpec>(spec.poses) && !spec.scene);
+    if (spec.chord && !may_be_curve) {
+        fields.refuse("chord", std::string(chord_use));
     }
     spec.query.question = Question::Motion;
     spec.query.motion = motion;

@@ -1,6 +1,7 @@
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
+#include "client/job/clearance_warning.hpp"
 #include "client/scene/coverage_text.hpp"
 #include "client/scene/scene_check.hpp"
 #include "common/core/errors.hpp"
@@ -20,6 +21,9 @@ Result<int> perform(const CheckCommand& command) {
     const auto prepared = CD_TRY(prepare_scene(spec, command.quiet, &InterruptGuard::has_come));
     for (const std::string& warning : prepared.warnings) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    }
+    if (const auto warning = clearance_warning(spec, prepared.scene)) {
+        std::fprintf(stderr, "%s\n", warning->c_str());
     }
     const std::string text = command.output == "csv"
                                  ? coverage_csv(*prepared.poses->steps())

@@ -16,6 +16,7 @@ namespace {
 
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 const std::string motion = "[motion]\nresolution = 0.01\n";
@@ -75,6 +76,41 @@ TEST_F(MotionCommand, AnswersEachMotionWithItsTimes) {
     EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,"));
     EXPECT_THAT(rows, HasSubstr(",contact,1"));
     EXPECT_THAT(stderr_, HasSubstr("note: keys of motions are rounded to a grid"));
+}
+
+TEST_F(MotionCommand, VelocitiesBendThePathBetweenTwoRows) {
+    // B is thrown over A and lands as far behind it as it started before it.
+    const std::string thrown =
+        "t,x,z,vx,vy,vz,ax,ay,az\n0,-3,0,6,0,5,0,0,-10\n1,3,0,6,0,-5,0,0,-10\n";
+    const std::string chord = file + "chord = 0.01\n";
+    EXPECT_EQ(run(chord, thrown), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr(" keys of the curve, within 0.01 m, by which the clearance"));
+    EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"), Not(HasSubstr("contact")));
+    // Straight from row to row it goes through A.
+    EXPECT_EQ(run(file, "t,x,z\n0,-3,0\n1,3,0\n"), exit_done) << stderr_;
+    EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"), HasSubstr(",contact,"));
+    // Poses can be inserted on the curve as well.
+    EXPECT_EQ(run("file = \"keys.csv\"\nmax_step = 0.5\n", thrown), exit_done) << stderr_;
+    EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"), Not(HasSubstr("touch")));
+    EXPECT_EQ(run("file = \"keys.csv\"\n", thrown), exit_done);
+    EXPECT_THAT(stderr_, HasSubstr("keys.csv: its velocities count with [motion] or max_step"));
+}
+
+TEST_F(MotionCommand, VelocitiesThatMissTheNextRowAreRefusedByItsLine) {
+    expect_refused(
+        file + "chord = 0.01\n",
+        "t,x,z,vx,vy,vz\n0,-3,0,6,0,5\n1,3,0,6,0,-5\n",
+        "keys.csv: line 3: the velocities of the row before miss this pose by up to 5, ");
+    expect_refused(file + "chord = 0.01\n",
+                   "x,z\n-3,0\n3,0\n",
+                   "job.toml: [motion]: chord is for line, arc, screw and drive");
+    expect_refused(file,
+                   "t,x,vx,vy,vz\n1,-3,6,0,0\n1,3,6,0,0\n",
+                   "keys.csv: line 3: the time 1 is not after 1 of line 2");
+    // Errors of keys name the row from which their curve starts.
+    expect_refused(file,
+                   "x,vx,vy,vz\n0,3e6,0,0\n3e6,0,0,0\n",
+                   "keys.csv: line 3: the bodies move too far between two keys");
 }
 
 TEST_F(MotionCommand, KeysWithoutAMotionAreRefusedByTheirLine) {

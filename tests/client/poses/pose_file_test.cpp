@@ -117,6 +117,52 @@ TEST_F(PoseFile, IdsAndTimesAreTakenAlong) {
                 HasSubstr("line 2: the id is longer than 256 bytes"));
 }
 
+TEST_F(PoseFile, VelocitiesAreTakenInTheJobsUnit) {
+    const auto rates_of = [&](const std::string& text, bool both = false) {
+        write_text(folder_ / "v.csv", text);
+        PoseFileSpec s = spec("v.csv");
+        s.of_both_bodies = both;
+        s.length_factor = 0.5;
+        auto opened = open_pose_file(s);
+        return opened ? opened.value().rates
+                      : (ADD_FAILURE() << opened.error().detail, std::vector<PoseRates>());
+    };
+    const auto rates = rates_of("vz,x,VX,vy,wx,wy,wz\n3,9,1,2,0.1,0.2,0.3\n6,9,4,5,0,0,0\n");
+    ASSERT_EQ(rates.size(), 2u);
+    EXPECT_EQ(rates[0].velocity, Vec3(0.5, 1, 1.5));
+    EXPECT_EQ(rates[0].acceleration, Vec3(0, 0, 0));
+    EXPECT_EQ(rates[0].spin, Vec3(0.1, 0.2, 0.3));
+    EXPECT_EQ(rates[1].velocity, Vec3(2, 2.5, 3));
+    const auto turned = rates_of("x,ax,ay,az,wx_deg,wy_deg,wz_deg\n9,2,4,6,0,0,180\n");
+    ASSERT_EQ(turned.size(), 1u);
+    EXPECT_EQ(turned[0].acceleration, Vec3(1, 2, 3));
+    EXPECT_NEAR(turned[0].spin.z(), 3.14159265358979323846, 1e-15);
+    const auto of_both = rates_of("scenario,body,x,vx,vy,vz\n0,b,1,2,0,0\n0,a,1,4,0,0\n", true);
+    ASSERT_EQ(of_both.size(), 2u);
+    EXPECT_EQ(of_both[0].velocity, Vec3(2, 0, 0));
+    EXPECT_EQ(of_both[1].velocity, Vec3(1, 0, 0));
+    EXPECT_TRUE(rates_of("x,y\n1,2\n").empty());
+    // The poses themselves stay as they are.
+    const auto poses = read_text_file("p.csv", "vx,vy,vz,x,y\n7,8,9,1,2\n");
+    ASSERT_EQ(poses.size(), 1u);
+    EXPECT_EQ(poses[0].poses.b.translation(), Vec3(1, 2, 0));
+}
+
+TEST_F(PoseFile, HalfAVelocityIsRefusedByItsColumn) {
+    EXPECT_THAT(error_of_text("h.csv", "# log\nx,vx,vz\n1,2,3\n"),
+                HasSubstr("h.csv: line 2: column 'vx' needs column 'vy' as well"));
+    EXPECT_THAT(error_of_text("h.csv", "x,wz_deg\n1,2\n"),
+                HasSubstr("line 1: column 'wz_deg' needs column 'wx_deg' as well"));
+    EXPECT_THAT(error_of_text("h.csv", "x,wx,wy,wz,wx_deg,wy_deg,wz_deg\n1,2,3,4,5,6,7\n"),
+                HasSubstr("line 1: columns 'wx' and 'wx_deg' are one spin"));
+    EXPECT_THAT(error_of_text("h.csv", "x,vx,vy,vz\n1,2,3,4\n1,2,fast,4\n"),
+                HasSubstr("line 3: vy is 'fast', not a number"));
+    EXPECT_THAT(error_of_text("h.csv", "x,vx,vy,vz\n1,nan,3,4\n"),
+                HasSubstr("line 2: vx is 'nan', not a number"));
+    EXPECT_THAT(error_of_text("h.csv", "vx,vy,vz\n1,2,3\n"),
+                HasSubstr("there is no column of a pose"));
+}
+
 TEST_F(PoseFile, AFileOfLabelsGivesThemBack) {
     const auto path = folder_ / "ids";
     for (const PoseLabels& labels :

@@ -164,6 +164,23 @@ TEST_F(PreparedSceneTest, ErrorsNameTheLineAndEndWithCodeTwo) {
     EXPECT_THAT(two.error().detail, HasSubstr("--dry-run` checks it"));
 }
 
+TEST_F(PreparedSceneTest, TheCheckWarnsOfALargeClearance) {
+    const auto said = [&](const std::string& query) {
+        CheckCommand check;
+        check.file = write(query).string();
+        check.quiet = true;
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(execute(check), 0);
+        static_cast<void>(testing::internal::GetCapturedStdout());
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_THAT(said("[query]\nclearance = 50\nlevel = \"contacts\"\n"),
+                HasSubstr("warning: the clearance of 50 m exceeds most triangles of car.0"));
+    EXPECT_EQ(said("[query]\nclearance = 50\nlevel = \"count\"\n"), "");
+    EXPECT_EQ(said("[query]\nclearance = 0.001\n"), "");
+}
+
 TEST_F(PreparedSceneTest, FilesThatAreReadAlikeAreOneMesh) {
     write_text(folder_ / "job.toml",
                "[bodies]\na = { mesh = \"car.obj\" }\nb = { mesh = \"car.obj\" }\n"

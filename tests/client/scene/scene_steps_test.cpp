@@ -104,6 +104,11 @@ TEST_F(SceneSteps, APartOfASplitMeshMayMove) {
     EXPECT_EQ(x_at(*opened.value().poses, 1), (std::vector<double>{2, 8, 0, 5, 5}));
 }
 
+TEST_F(SceneSteps, AFileWithVelocitiesIsRefused) {
+    spec_.bodies[0].poses = file("v.csv", "x,vx,vy,vz\n1,0,0,0\n2,0,0,0\n");
+    EXPECT_THAT(problem(), HasSubstr("v.csv: velocities are for the poses of two bodies"));
+}
+
 TEST_F(SceneSteps, ABodyWithoutAPoseIsRefused) {
     spec_.bodies[1].pose.reset();
     EXPECT_THAT(problem(),
