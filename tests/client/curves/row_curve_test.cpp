@@ -83,7 +83,7 @@ std::string problem_with(const std::vector<KeyRow>& rows, double off_max = 1e-3)
 /// Returns how far the motion from one pose to another takes a body's corners from a curve, of
 /// which it passes the times from `begin` to `end`.
 double
-error_of(const Pose& from, const Pose& to, const CurvePhase& curve, double begin, double end) {
+deviation_of(const Pose& from, const Pose& to, const CurvePhase& curve, double begin, double end) {
     const BodyPath path = path_between(unit_key(from).value(), unit_key(to).value()).value();
     double largest = 0;
     for (int step = 0; step <= 32; ++step) {
@@ -115,8 +115,9 @@ double largest_error(const std::vector<KeyRow>& rows, const RowKeys& keys, std::
         const PosePair& right = keys.poses[next];
         largest = std::max(
             largest,
-            error_of(left.a, right.a, phase_of(from.poses.a, from.rates[0], seconds), begin, end) +
-                error_of(
+            deviation_of(
+                left.a, right.a, phase_of(from.poses.a, from.rates[0], seconds), begin, end) +
+                deviation_of(
                     left.b, right.b, phase_of(from.poses.b, from.rates[1], seconds), begin, end));
         i = next;
     }
