@@ -43,7 +43,7 @@ Status check_chord(const JobSpec& spec, const JobMotions& motions) {
                      exact_text(moved) + "; make it at least " + exact_text(moved / grid_share));
 }
 
-/// Scenarios that are keys of a file's rows, whose places they have.
+/// Keys that were made from a file's rows. An error names a key by the row where its curve starts.
 class KeySource final : public PoseSource {
   public:
     KeySource(std::vector<Scenario> keys, std::vector<std::string> places)

@@ -34,7 +34,7 @@ struct OutputSpec {
     bool exact_points = false;                      ///< NPZ: also points at full precision.
 };
 
-/// What is said where `chord` does not belong.
+/// The error for `chord` in a job without a curve.
 inline constexpr std::string_view chord_use =
     "chord is for line, arc, screw and drive, and for a file of two bodies' poses with velocities; "
     "without these the path is straight from pose to pose";

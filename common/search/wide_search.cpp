@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cd {
 
@@ -88,7 +89,7 @@ double WideSearch::nearest_reach() const {
 void WideSearch::set_direction() {
     const Vec3 in_a = rotation_a_.transpose() * nearest_->displacement();
     const double length = in_a.norm();
-    if (length > 0) {
+    if (length > 0 && std::isfinite(length)) {
         near_descent_->set_direction(in_a / length);
     }
 }

@@ -1,4 +1,4 @@
-// Proves that `cdctl watch` names the first contact of a job of motions as a run here does.
+// Proves that `cdctl watch` names the same first contact of motions as `cdctl run` does.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/shapes.hpp"

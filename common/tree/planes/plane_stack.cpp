@@ -7,7 +7,7 @@ namespace {
 /// More steps part hardly more pairs than opening their nodes does.
 constexpr std::uint32_t plane_steps = 3;
 
-/// The same for whole bodies, once in a search for the nearest pair.
+/// Steps for the plane between whole bodies, which a search for the nearest pair makes once.
 constexpr std::uint32_t root_steps = 16;
 
 /// A pair that no plane parted is tried again under each such pose among near ones.

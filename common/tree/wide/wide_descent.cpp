@@ -178,20 +178,21 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
 /// Visits the pair of nodes whose boxes are nearest, unless it is beyond the reach or a plane parts
 /// it. The queue is not empty.
 void WideDescent::visit_nearest() {
-    // No pair in the queue is nearer than its rank says.
+    // A rank is a lower bound of the distance of the pairs that have it.
     const std::int32_t rank = walk_.ranked.least_rank();
     if (rank > 0 && least_square_of(rank, pose_) > pose_.reach * pose_.reach) {
         walk_.ranked.clear();
         return;
     }
     const WidePair pair = walk_.ranked.pop();
+    // No plane parts nodes by more than a reach without a limit.
     if (course_.has_planes && pose_.reach < wide_reach_max &&
         planes_.parts(pair, {pose_.along[0], pose_.along[1], pose_.along[2]})) {
         return;
     }
     const std::uint32_t visits_left = walk_.visits_left;
     walk_.visits_left = 1;
-    walk_.ranked.push(pair, 0); // The next one.
+    walk_.ranked.push(pair, 0); // Of rank 0 the last one is visited next.
     walk_wide_nearest(pose_, walk_);
     walk_.visits_left = visits_left - 1;
 }

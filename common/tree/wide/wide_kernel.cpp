@@ -47,10 +47,10 @@
 //     rounding of the interval's end. The difference, the product with the step, the sum with the
 //     reach and the sum of three squares err by below 10 u, the frame by 6 u. So the sum of
 //     squares, times 1 - 2^-14, is at most the square of the distance.
-// (11) A direction n, |n| <= 1 + 2 u, as floats, and m = R' n for B, which takes r and a rounding.
+// (11) A direction n, |n| <= 1 + 8 u, as floats, and m = R' n for B, which takes r and a rounding.
 //     n (x - o) >= min over A's child of n (x - o), and so on, so the least n (R y + t - x) of two
 //     children is n w + min m (y - p) + min -n (x - o). If the points are within the reach, n z is
-//     at most the reach times 1 + 2 u. Errors: (1) and n w: abs 1.8 + 6 u |w|. A box: n is turned
+//     at most the reach times 1 + 8 u. Errors: (1) and n w: abs 1.8 + 6 u |w|. A box: n is turned
 //     to the node's frame, 3 u and the frame's 2 e, three products with the steps and two sums:
 //     below (3 + 4 + 8) u 3 E. Corners: y - p one rounding, three products and sums, m one and
 //     1.75 r: below 8 u 1.74 E + 3.1 r E. All are below the bound of (8), and `Meeting::margin` is
@@ -111,7 +111,7 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 // their loads overlap and no branch depends on a single pair. Pairs of leaves are collected until
 // there are enough of them.
 
-/// Bit masks of children.
+/// Bit masks of the children of A's node and of B's that a direction does not part.
 struct Parting {
     std::uint32_t a;
     std::uint32_t b;

@@ -26,7 +26,7 @@ struct WidePose {
     float absolute_margin = 0; ///< A length; includes the reach.
     float reach = 0;           ///< Pairs of children that are farther apart are of no interest.
     /// A direction: a unit vector in A's coordinates, and the same in B's; zero if there is none.
-    /// Descents within a reach also compare projections on it. The fourth entries are 0.
+    /// A descent for the nearest pair compares projections on it, too. The fourth entries are 0.
     std::array<float, 4> along{};
     std::array<float, 4> along_in_b{};
     /// Ranks of a descent for the nearest pair: that of a distance is the leading bits of its
@@ -34,7 +34,8 @@ struct WidePose {
     std::int32_t rank_base = 0;
 };
 
-/// How many bits of a float are not part of its rank: a rank covers distances within 19 %.
+/// The number of low bits of a float that its rank leaves out: distances of one rank differ by less
+/// than 23 %.
 inline constexpr int rank_shift = 22;
 
 /// Returns the square of the least distance whose rank is `rank`, which is above 0.

@@ -86,7 +86,7 @@ TEST_F(MotionCommand, VelocitiesBendThePathBetweenTwoRows) {
     EXPECT_EQ(run(chord, thrown), exit_done) << stderr_;
     EXPECT_THAT(stderr_, HasSubstr(" keys of the curve, within 0.01 m, by which the clearance"));
     EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"), Not(HasSubstr("contact")));
-    // Straight from row to row it goes through A.
+    // A motion straight from row to row passes through A.
     EXPECT_EQ(run(file, "t,x,z\n0,-3,0\n1,3,0\n"), exit_done) << stderr_;
     EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"), HasSubstr(",contact,"));
     // Poses can be inserted on the curve as well.

@@ -1,5 +1,5 @@
-// Proves that a report holds what the page asks of a server to show all bodies of a step: where
-// they are, and each mesh once; and that what has no room is counted and left out.
+// Proves that a report holds all that the page requests to show the bodies of a step: their poses,
+// and each mesh once. Also proves that the report counts and leaves out what has no room.
 #include "client/view/held_steps.hpp"
 
 #include "tests/client/view/asked_server.hpp"

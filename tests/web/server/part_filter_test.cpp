@@ -1,5 +1,5 @@
-// Proves that a scenario passes if it has a pair of the wanted parts of the wanted bodies,
-// whichever of them is A; and that unknown bodies and parts are named.
+// Proves that a scenario passes the filter if it has a pair of the wanted parts, no matter which of
+// the two bodies is its A, and that an error names an unknown body or part.
 #include "web/server/part_filter.hpp"
 
 #include <gtest/gtest.h>

@@ -27,34 +27,19 @@ std::vector<IdPair> candidates_of(const WideView& a,
                                   const WideView& b,
                                   const PosePair& poses,
                                   std::size_t wanted = 256,
-                                  WideDescent::Aim aim = WideDescent::Aim::All) {
+                                  WideDescent::Aim aim = WideDescent::Aim::All,
+                                  const Vec3& direction = Vec3::Zero()) {
     WideDescent descent(relative_pose(poses));
     std::vector<IdPair> found;
-    for (descent.start(a, b, aim); !descent.is_done();) {
+    descent.start(a, b, aim);
+    descent.set_direction(direction);
+    while (!descent.is_done()) {
         for (const Candidate& pair : descent.next(wanted)) {
             found.emplace_back(a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
         }
     }
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
-    return found;
-}
-
-/// The same of a descent for the nearest pair, with a reach of 0.
-std::vector<IdPair> candidates_along(const WideView& a,
-                                     const WideView& b,
-                                     const PosePair& poses,
-                                     const Vec3& direction) {
-    WideDescent descent(relative_pose(poses));
-    std::vector<IdPair> found;
-    descent.start(a, b, WideDescent::Aim::Nearest);
-    descent.set_direction(direction);
-    while (!descent.is_done()) {
-        for (const Candidate& pair : descent.next(64)) {
-            found.emplace_back(a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
-        }
-    }
-    std::sort(found.begin(), found.end());
     return found;
 }
 
@@ -83,8 +68,12 @@ void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally
                 << pair.a << " of A and " << pair.b << " of B";
         }
         // Whatever the direction, a descent for the nearest pair finds those at distance 0.
-        const auto nearest = candidates_along(
-            tree_a.view().wide, tree_b.view().wide, poses, any_direction(tally.contacts));
+        const auto nearest = candidates_of(tree_a.view().wide,
+                                           tree_b.view().wide,
+                                           poses,
+                                           64,
+                                           WideDescent::Aim::Nearest,
+                                           any_direction(tally.contacts));
         for (const ContactPair& pair : contacts) {
             ASSERT_TRUE(std::binary_search(nearest.begin(), nearest.end(), IdPair{pair.a, pair.b}))
                 << pair.a << " of A and " << pair.b << " of B, along a direction";

@@ -115,8 +115,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         setArrivals((old) => old + 1);
     }, [route]);
     useEffect(look, [viewer, arrivals]);
-    // Whose part a link names without a body is known with the meshes. Other bodies have other parts, but what a
-    // search found has the parts that it was for.
+    // A link may name a part without its body, which the meshes then tell. Parts of the last pair of bodies do not
+    // hold for another pair, unless a search for parts found it.
     useEffect(() => {
         if (!model) {
             return;
