@@ -4,6 +4,7 @@
 #include "common/geometry/highway_targets.hpp"
 
 #include <bit>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/scene/sweep_kernel.cpp"
@@ -72,7 +73,9 @@ struct BroadBox {
 HWY_INLINE std::uint32_t bits_of(hn::Mask<Floats> mask) {
     std::array<std::uint8_t, 8> bytes{}; // Highway may write eight.
     hn::StoreMaskBits(Floats(), mask, bytes.data());
-    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8;
+    std::uint16_t bits = 0;
+    std::memcpy(&bits, bytes.data(), sizeof(bits));
+    return bits;
 }
 
 /// Writes the numbers in the lanes of the bits, one behind the other. Other numbers may follow
@@ -84,10 +87,10 @@ HWY_INLINE std::size_t write_some(hn::Vec<Numbers> numbers, std::uint32_t bits, 
         const auto order = hn::SetTableIndices(dn, lanes_of_bits[bits].data());
         hn::StoreU(hn::TableLookupLanes(numbers, order), dn, to);
     } else {
-        // Highway may read eight bytes.
+        // Highway may read eight bytes. A compressing store is microcode on AMD's Zen 4.
         const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits),
                                                 static_cast<std::uint8_t>(bits >> 8)};
-        hn::CompressStore(numbers, hn::LoadMaskBits(dn, bytes.data()), dn, to);
+        hn::StoreU(hn::Compress(numbers, hn::LoadMaskBits(dn, bytes.data())), dn, to);
     }
     return static_cast<std::size_t>(std::popcount(bits));
 }
