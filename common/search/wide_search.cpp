@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace cd {
 
@@ -42,7 +43,7 @@ WideSearch::WideSearch(const PosePair& poses,
         nearest_.emplace(poses, distance_stage(options.first_stage), *options.nearest_up_to);
     }
     if (clearance_ || nearest_) {
-        near_descent_.emplace(b_to_a_);
+        near_.emplace(NearDescent{WideDescent(b_to_a_)});
         place_near(poses);
     }
 }
@@ -51,11 +52,11 @@ void WideSearch::restart(const PosePair& poses) {
     b_to_a_ = relative_pose(poses);
     descent_.restart(b_to_a_);
     contacts_.restart(poses);
-    if (nearest_) {
-        nearest_->restart(poses);
-    }
-    if (near_descent_) {
+    if (clearance_) {
         place_near(poses);
+    }
+    if (nearest_) {
+        near_->waiting = poses;
     }
     is_stopped_ = false;
 }
@@ -74,23 +75,36 @@ void WideSearch::set_clearance(double clearance) {
 }
 
 void WideSearch::place_near(const PosePair& poses) {
-    reach_per_length_ = body_reach(poses, 1);
-    rotation_a_ = poses.a.rotation();
-    near_descent_->restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);
+    near_->reach_per_length = body_reach(poses, 1);
+    near_->rotation_a = poses.a.rotation();
+    near_->descent.restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);
+}
+
+/// Tells the descent and the nearest pair of the last `restart`, unless they know of it.
+void WideSearch::begin_nearest() {
+    if (const auto poses = std::exchange(near_->waiting, std::nullopt)) {
+        nearest_->restart(*poses);
+        place_near(*poses);
+    }
+}
+
+NearestFound& WideSearch::nearest() {
+    begin_nearest();
+    return *nearest_;
 }
 
 /// Returns the reach that finds every pair which may change the answer.
 double WideSearch::nearest_reach() const {
     constexpr double more_than_rounding = 1 + 0x1p-50;
-    return more_than_rounding * reach_per_length_ * nearest_->bound();
+    return more_than_rounding * near_->reach_per_length * nearest_->bound();
 }
 
 /// Gives the descent the direction in which the bodies are nearest, so far.
 void WideSearch::set_direction() {
-    const Vec3 in_a = rotation_a_.transpose() * nearest_->displacement();
+    const Vec3 in_a = near_->rotation_a.transpose() * nearest_->displacement();
     const double length = in_a.norm();
     if (length > 0 && std::isfinite(length)) {
-        near_descent_->set_direction(in_a / length);
+        near_->descent.set_direction(in_a / length);
     }
 }
 
@@ -130,8 +144,8 @@ bool WideSearch::any(const TreeView& a, const TreeView& b) {
 }
 
 Nearness WideSearch::any_near(const TreeView& a, const TreeView& b) {
-    CD_CHECK(near_descent_ && !a.wide.nodes.empty() && !b.wide.nodes.empty());
-    WideDescent& descent = *near_descent_;
+    CD_CHECK(near_ && !a.wide.nodes.empty() && !b.wide.nodes.empty());
+    WideDescent& descent = near_->descent;
     const bool nearest_first = is_large(*clearance_, a.wide, b.wide);
     descent.start(
         a.wide, b.wide, nearest_first ? WideDescent::Aim::Nearest : WideDescent::Aim::Any);
@@ -155,7 +169,7 @@ void WideSearch::collect(const TreeView& a, const TreeView& b) {
     const TriangleBlocks& of_a = a.wide.triangles;
     const TriangleBlocks& of_b = b.wide.triangles;
     using Aim = WideDescent::Aim;
-    WideDescent& descent = near_descent_ ? *near_descent_ : descent_;
+    WideDescent& descent = clearance_ ? near_->descent : descent_;
     const std::uint64_t before = contacts_.count() + contacts_.near_count();
     descent.start(a.wide, b.wide, expects_none_ ? Aim::AllUnlikely : Aim::All);
     while (!descent.is_done() && !is_stopped_) {
@@ -170,7 +184,8 @@ void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
     CD_CHECK(nearest_ && !a.wide.nodes.empty() && !b.wide.nodes.empty());
     const TriangleBlocks& of_a = a.wide.triangles;
     const TriangleBlocks& of_b = b.wide.triangles;
-    WideDescent& descent = *near_descent_;
+    begin_nearest();
+    WideDescent& descent = near_->descent;
     descent.set_reach(nearest_reach());
     set_direction();
     descent.start(a.wide, b.wide, WideDescent::Aim::Nearest);
@@ -186,7 +201,7 @@ void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
 
 SearchReport WideSearch::report() const {
     const std::uint64_t box_tests =
-        descent_.box_tests() + (near_descent_ ? near_descent_->box_tests() : 0);
+        descent_.box_tests() + (near_ && !near_->waiting ? near_->descent.box_tests() : 0);
     return {contacts_.statistics(box_tests), is_stopped_, &b_to_a_};
 }
 

@@ -27,26 +27,34 @@ class WideSearch final : public ContactSearch {
     [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;
     void find_nearest(const TreeView& a, const TreeView& b) override;
-    [[nodiscard]] NearestFound& nearest() override { return *nearest_; }
+    [[nodiscard]] NearestFound& nearest() override;
     [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
     [[nodiscard]] SearchReport report() const override;
 
   private:
+    /// Finds near or nearest pairs. Other pairs are likely than for contacts, so this descent has
+    /// its own memory of earlier poses.
+    struct NearDescent {
+        WideDescent descent;
+        Mat3 rotation_a = Mat3::Identity();
+        double reach_per_length = 1; ///< `body_reach` of the length 1.
+        /// The poses of the last `restart`, until a nearest pair is wanted: of bodies that touch,
+        /// none is.
+        std::optional<PosePair> waiting = {};
+    };
+
     [[nodiscard]] std::span<const Candidate>
     next_candidates(WideDescent& descent, const WideView& a, const WideView& b, std::size_t wanted);
     void place_near(const PosePair& poses);
+    void begin_nearest();
     [[nodiscard]] double nearest_reach() const;
     void set_direction();
     void poll_stop();
 
     std::optional<double> clearance_;
-    Mat3 rotation_a_ = Mat3::Identity();
-    double reach_per_length_ = 1; ///< Of `near_descent_`: `body_reach` of the length 1.
     RelativePose b_to_a_;
-    WideDescent descent_; ///< Finds contacts.
-    /// Finds near or nearest pairs; empty unless the options ask for them. Other pairs are likely
-    /// than for contacts, so this descent has its own memory of earlier poses.
-    std::optional<WideDescent> near_descent_;
+    WideDescent descent_;             ///< Finds contacts.
+    std::optional<NearDescent> near_; ///< Empty unless the options ask for near or nearest pairs.
     std::span<const IgnoredRange> ignored_;
     StopCheck stop_;
     FoundContacts contacts_;
