@@ -81,11 +81,15 @@ distance_from_rigid(std::span<const double> v, PoseLayout layout, double length_
     return Mat3(rotation.transpose() * rotation - Mat3::Identity()).cwiseAbs().maxCoeff();
 }
 
+/// How far a pose may be from rigid unless the user says otherwise.
+double allowed_off(PoseLayout layout) {
+    return is_quaternion(layout) ? quaternion_off_max : matrix_off_max;
+}
+
 std::string describe(PoseLayout layout, double off, double allowed) {
     const char* what = is_quaternion(layout) ? "the quaternion's norm is off 1 by"
                                              : "max |R'R - I| of the matrix is";
-    return fmt::format(
-        "{} {:.3g}, more than {:.3g}; --rigid-tolerance allows more", what, off, allowed);
+    return fmt::format("{} {:.3g}, more than {:.3g}", what, off, allowed);
 }
 
 /// True if all numbers of a pose are NaN, and the table says that its body is then absent.
@@ -147,6 +151,15 @@ std::size_t numbers_of(PoseLayout layout) {
     return 7;
 }
 
+Result<Pose> checked_pose(std::span<const double> numbers, PoseLayout layout) {
+    const double off = CD_TRY(distance_from_rigid(numbers, layout, 1));
+    const double allowed = allowed_off(layout);
+    if (!(off <= allowed)) {
+        return bad_input(describe(layout, off, allowed));
+    }
+    return to_pose(numbers, layout, 1);
+}
+
 std::string place_of_pose(const PoseTable& table, std::uint64_t pose) {
     if (pose < table.lines.size()) {
         return fmt::format("line {}", table.lines[pose]);
@@ -160,8 +173,7 @@ std::string place_of_pose(const PoseTable& table, std::uint64_t pose) {
 Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> rigid_tolerance) {
     const std::size_t size = numbers_of(table.layout);
     const std::size_t poses = table.poses_each();
-    const double allowed =
-        rigid_tolerance.value_or(is_quaternion(table.layout) ? quaternion_off_max : matrix_off_max);
+    const double allowed = rigid_tolerance.value_or(allowed_off(table.layout));
     RigidityReport report;
     for (std::uint64_t first = 0; first < table.rows->row_count(); first += rows_at_once) {
         const std::uint64_t count = std::min(rows_at_once, table.rows->row_count() - first);
@@ -179,7 +191,8 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
             if (!off || !(off.value() <= allowed)) {
                 return bad_input(fmt::format("{}: {}",
                                              place_of_pose(table, pose),
-                                             off ? describe(table.layout, off.value(), allowed)
+                                             off ? describe(table.layout, off.value(), allowed) +
+                                                       "; --rigid-tolerance allows more"
                                                  : off.error().detail));
             }
             if (off.value() > warn_above) {

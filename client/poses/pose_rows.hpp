@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ enum class PoseLayout : std::uint8_t {
 };
 
 [[nodiscard]] std::size_t numbers_of(PoseLayout layout);
+
+/// Reads one pose. Errors: BadInput with the value, as for `open_pose_file`.
+[[nodiscard]] Result<Pose> checked_pose(std::span<const double> numbers, PoseLayout layout);
 
 /// Returns the names of the bodies of rows that have poses of both: a and b.
 [[nodiscard]] std::vector<std::string> both_bodies();
