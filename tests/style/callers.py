@@ -39,7 +39,7 @@ def main():
             if path.suffix not in (".hpp", ".cpp"):
                 continue
             text = bare(path.read_text(encoding="utf-8"))
-            if path.suffix == ".hpp":
+            if path.suffix == ".hpp" and "include" not in path.parts:  # Others call the library.
                 for name in declared_in(text):
                     declared[name].add(path.relative_to(root).as_posix())
             # Each line that begins a definition or declaration counts for nothing, all others are uses.

@@ -9,7 +9,7 @@ import re
 import sys
 
 MEMBERS_MAX, METHODS_MAX, FILES_MAX, FOLDER_MAX = 12, 30, 1, 25
-PRODUCT = ("common", "proto", "web", "master", "worker", "client")
+PRODUCT = ("common", "proto", "web", "master", "worker", "client", "library", "python")
 FOLDERS = (*PRODUCT, "bench")
 
 RAW = re.compile(r'R"\(.*?\)"', re.DOTALL)
@@ -23,6 +23,11 @@ METHOD = re.compile(r"(~?\w+|operator\s*\S+?)\s*\(")
 def bare(text):
     """The text without comments and the contents of literals."""
     return TEXT.sub('""', COMMENT.sub("", RAW.sub('""', text)))
+
+
+def scope_of(path):
+    """What tells a class of the library or the package from one of the same name in the engine."""
+    return "cdcluster::" if path.startswith(("library/", "python/")) else ""
 
 
 def statements(body):
@@ -102,7 +107,7 @@ def figures(root):
                 found[f"members {name} {each}"] = members
             if methods > METHODS_MAX:
                 found[f"methods {name} {each}"] = methods
-            headers[each] = name
+            headers[scope_of(name) + each] = name
     for each, count in folders.items():
         if count > FOLDER_MAX:
             found[f"folder {each}"] = count
@@ -112,7 +117,7 @@ def figures(root):
         if path.suffix != ".cpp" or not name.startswith(PRODUCT):
             continue
         for match in DEFINITION.finditer(bare(path.read_text(encoding="utf-8"))):
-            each = match.group(1).rstrip(":")
+            each = scope_of(name) + match.group(1).rstrip(":")
             if each in headers and headers[each].endswith(".hpp"):
                 files[each].add(name)
     for each, names in files.items():

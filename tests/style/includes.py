@@ -94,6 +94,10 @@ for _program, _rooms in ORDERED.items():
         _before.append(_name)
 
 
+LAYERS["python"] = ["library"]
+LAYERS["library"] = [room for room in LAYERS if room.startswith("client/") and room != "client/commands"]
+
+
 def room_of(path):
     """The longest room that the path is in; None outside all rooms."""
     folder = path
@@ -126,13 +130,14 @@ DOORS = {
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client", "web"],
+    r"pybind11/": ["python"],
     r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/shots", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each
 # costs its compiler time in every file; values that programs need have headers of their own.
 SLOW_HEADERS = {"common/tree/wide/wide_kernel.hpp": 21, "common/pair/numbers/dyadic.hpp": 0}
-PROGRAMS = ("proto/", "web/", "master/", "worker/", "client/")
+PROGRAMS = ("proto/", "web/", "master/", "worker/", "client/", "library/", "python/")
 ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
 SOURCES = {".cpp", ".hpp", ".h"}
 
@@ -195,7 +200,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     files = sorted(
         p.relative_to(root).as_posix()
-        for folder in ("common", "proto", "web", "master", "worker", "client", "tests", "bench")
+        for folder in ("common", "proto", "web", "master", "worker", "client", "library", "python", "tests", "bench")
         for p in (root / folder).rglob("*")
         if p.suffix in SOURCES
     )

@@ -1,0 +1,65 @@
+#include "library/borrowed_poses.hpp"
+
+#include "common/core/errors.hpp"
+#include "library/errors.hpp"
+
+namespace cdcluster {
+
+namespace {
+
+cd::PoseLayout layout_of(PoseForm form) {
+    switch (form) {
+    case PoseForm::Matrix44:
+        return cd::PoseLayout::Matrix44;
+    case PoseForm::Matrix34:
+        return cd::PoseLayout::Matrix34;
+    case PoseForm::Xyzw:
+        return cd::PoseLayout::Xyzw;
+    case PoseForm::Wxyz:
+        break;
+    }
+    return cd::PoseLayout::Wxyz;
+}
+
+} // namespace
+
+BorrowedPoses::BorrowedPoses(const Poses& poses)
+    : poses_(poses), layout_(layout_of(poses.form)), size_(cd::numbers_of(layout_)) {
+    if (poses.numbers.empty() || poses.numbers.size() % size_ != 0) {
+        throw Error(ErrorCode::BadInput,
+                    "poses have " + std::to_string(poses.numbers.size()) +
+                        " numbers; a pose of this form has " + std::to_string(size_) +
+                        ", and there is at least one pose");
+    }
+    for (std::uint64_t i = 0; i < count(); ++i) {
+        static_cast<void>(value_of(at(i)));
+    }
+}
+
+std::string BorrowedPoses::place_of(std::uint64_t scenario) const {
+    return "row " + std::to_string(scenario);
+}
+
+cd::Result<cd::Scenario> BorrowedPoses::at(std::uint64_t scenario) const {
+    const auto numbers = poses_.numbers.subspan(scenario * size_, size_);
+    auto pose = cd::checked_pose(numbers, layout_);
+    if (!pose) {
+        return cd::bad_input("poses, " + place_of(scenario) + ": " + pose.error().detail);
+    }
+    cd::Scenario made;
+    made.index = scenario;
+    made.poses.b = pose.value();
+    return made;
+}
+
+cd::Result<std::vector<cd::Scenario>> BorrowedPoses::read(std::uint64_t first,
+                                                          std::uint64_t count) {
+    std::vector<cd::Scenario> scenarios;
+    scenarios.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        scenarios.push_back(CD_TRY(at(first + i)));
+    }
+    return scenarios;
+}
+
+} // namespace cdcluster
