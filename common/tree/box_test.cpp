@@ -38,6 +38,11 @@
 // additional term F z, and L.T differs by L.(F z). All |L| are below 1.006 and |F| below 1 + 2 e,
 // so 1.01 times the reach covers it.
 //
+// Distance: with the same z, each axis of A gives |(F z)_i| >= gap_i, what |T_i| exceeds the right
+// side by, and so |F z|^2 >= the sum of the squares of the positive gaps. Each axis of B gives
+// |m_j.(F z)| >= gap_j, and the sum of their squares is at most |M|^2 |F z|^2. As |F| is below
+// 1 + 2 e and |M| below 1.006, a 1.01th of the root of each sum is at most |z|.
+//
 // Underflow is far below frame_error_ times the least half size of a node. A comparison with NaN or
 // with an infinite bound does not reject. Centres of B beyond 2^1000 get an infinite bound; then T
 // can overflow only if it really is beyond 2^1000, and finite half sizes are below 2^128.
@@ -127,6 +132,13 @@ Aabb BoxTest::bounds(const Corners& b) const {
     return {box.min - Vec3::Constant(error), box.max + Vec3::Constant(error)};
 }
 
+/// Returns what errors and the reach add to each side of a comparison.
+double BoxTest::margin_of(const ObbNode& a, const PosedBox& b) const {
+    const double halves = static_cast<double>(a.half[0]) + static_cast<double>(a.half[1]) +
+                          static_cast<double>(a.half[2]);
+    return b.error + 48 * rounding_ * size_of(a.center) + 8 * rounding_ * halves;
+}
+
 bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
     std::array<double, 3> ha;
     std::array<double, 3> v;
@@ -135,8 +147,7 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
         v[i] = b.center[i] - a.center[i];
     }
     const std::array<double, 3>& hb = b.half;
-    const double margin =
-        b.error + 48 * rounding_ * size_of(a.center) + 8 * rounding_ * (ha[0] + ha[1] + ha[2]);
+    const double margin = margin_of(a, b);
 
     std::array<double, 3> t;
     std::array<std::array<double, 3>, 3> m;
@@ -180,6 +191,39 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
         }
     }
     return true;
+}
+
+double BoxTest::least_distance(const ObbNode& a, const PosedBox& b) const {
+    std::array<double, 3> t{};
+    std::array<std::array<double, 3>, 3> m{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const auto axis = static_cast<double>(a.axes[3 * i + j]);
+            t[i] += axis * (b.center[j] - a.center[j]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                m[i][k] += axis * b.axes[3 * k + j];
+            }
+        }
+    }
+    const double margin = margin_of(a, b);
+    double along_a = 0; // Sums of the squares of gaps.
+    double along_b = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double distance_b = 0;
+        double reach_a = static_cast<double>(a.half[i]) + margin;
+        double reach_b = b.half[i] + margin;
+        for (std::size_t k = 0; k < 3; ++k) {
+            distance_b += t[k] * m[k][i];
+            reach_a += std::abs(m[i][k]) * b.half[k];
+            reach_b += std::abs(m[k][i]) * static_cast<double>(a.half[k]);
+        }
+        // A comparison with NaN leaves 0.
+        const double gap_a = std::max(0.0, std::abs(t[i]) - reach_a);
+        const double gap_b = std::max(0.0, std::abs(distance_b) - reach_b);
+        along_a += gap_a * gap_a;
+        along_b += gap_b * gap_b;
+    }
+    return std::sqrt(std::max(along_a, along_b)) / 1.01;
 }
 
 } // namespace cd

@@ -43,7 +43,14 @@ class BoxTest {
         return may_overlap(a, pose(b));
     }
 
+    /// Returns a lower bound on the distance of two boxes in A's coordinates, or rather on how much
+    /// it exceeds the reach. 0 if no axis of a box parts them, if numbers overflow, or if the pose
+    /// is too far from rigid.
+    [[nodiscard]] double least_distance(const ObbNode& a, const PosedBox& b) const;
+
   private:
+    [[nodiscard]] double margin_of(const ObbNode& a, const PosedBox& b) const;
+
     std::array<double, 9> rotation_{};
     std::array<double, 3> translation_{};
     double translation_size_ = 0; ///< Sum of the absolute values of the translation's components.

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/job/distance_looks.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/query_roots.hpp"
 #include "common/job/run_motion.hpp"
@@ -13,6 +14,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <span>
 
 namespace cd {
 
@@ -41,8 +43,14 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
         analysis.cost.inside = input.settler->settle(scenario, *analysis.finished);
     } else {
         analysis.pairs = std::move(roots.value().pairs);
-        analysis.roots_a = roots_of_a(analysis.pairs);
-        analysis.roots_b = roots_of_b(analysis.pairs);
+        std::span<const RootPair> wanted = analysis.pairs;
+        std::vector<RootPair> first;
+        if (looks_twice(input.query, analysis.pairs)) {
+            first = first_look(top_a, top_b, scenario.poses, analysis.pairs);
+            wanted = first;
+        }
+        analysis.roots_a = roots_of_a(wanted);
+        analysis.roots_b = roots_of_b(wanted);
         analysis.predicted_ns = predicted_ns(meeting_size(top_a, top_b, analysis.pairs));
     }
     return analysis;

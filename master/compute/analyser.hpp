@@ -26,10 +26,12 @@ class Settler;
 /// One analysed scenario, which either needs a worker or is finished.
 struct Analysis {
     Scenario scenario;
-    std::uint64_t position = 0;     ///< In the job's hand-out order; `analyse` leaves 0.
-    std::vector<RootPair> pairs;    ///< Colliding distribution roots, sorted.
-    std::vector<RootIndex> roots_a; ///< Distinct roots of A in `pairs`, ascending.
-    std::vector<RootIndex> roots_b; ///< Distinct roots of B in `pairs`, ascending.
+    std::uint64_t position = 0;  ///< In the job's hand-out order; `analyse` leaves 0.
+    std::vector<RootPair> pairs; ///< Colliding distribution roots, sorted.
+    /// Distinct roots of A that a worker needs at once, ascending: those in `pairs`, or in the
+    /// first look at a distance (`first_look`). The worker finds which others it needs.
+    std::vector<RootIndex> roots_a;
+    std::vector<RootIndex> roots_b; ///< The same of B.
     std::uint64_t bytes = 0; ///< Approximate bytes that the scenario adds to a batch on the wire.
     std::uint64_t predicted_ns = 0; ///< Predicted time of one worker thread (cost_model.hpp).
 

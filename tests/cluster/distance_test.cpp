@@ -1,10 +1,14 @@
 // Proves, with real processes over TCP, that a job that asks how far apart the bodies are has the
 // digest and the summary of one process: whether the master analyses or not, with and without
-// up_to, when a worker is killed, and after the master has started again.
+// up_to, when a worker is killed, and after the master has started again; and that a worker fetches
+// the blocks of the nearest roots first.
+#include "common/job/query_roots.hpp"
+#include "common/tree/cut.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/cluster/mortal_master.hpp"
 
 #include <csignal>
+#include <set>
 
 namespace cd::tests {
 
@@ -68,6 +72,39 @@ TEST_F(Cluster, ADistanceHasTheAnswersOfOneProcessWhoeverAnalyses) {
             const Query query = distance_query(up_to);
             expect_answers(run(job, query, options), job, query);
         }
+    }
+}
+
+TEST_F(Cluster, ASweepFetchesFewerBlocksThanItsBoundsName) {
+    Job job = make_job(60);
+    for (std::uint64_t i = 0; i < job.scenarios.size(); ++i) {
+        const double y = -0.3 + 0.01 * static_cast<double>(i);
+        job.scenarios[i].poses = {Pose{}, translation_pose(2.6, y, 0.1)};
+    }
+    const Query query = distance_query();
+    ClusterOptions options;
+    options.depths = {9, 6};
+    const TreeTop top_a = cut_tree(*job.a, 9);
+    const TreeTop top_b = cut_tree(*job.b, 6);
+    std::set<RootIndex> named_a;
+    std::set<RootIndex> named_b;
+    for (const Scenario& scenario : job.scenarios) {
+        const auto roots = query_roots(top_a, top_b, scenario, query);
+        ASSERT_TRUE(roots) << roots.error().detail;
+        for (const RootPair& pair : roots.value().pairs) {
+            named_a.insert(pair.a);
+            named_b.insert(pair.b);
+        }
+    }
+    start_worker(1);
+    for (const AnalysisMode mode : {AnalysisMode::Never, AnalysisMode::Always}) {
+        SCOPED_TRACE(testing::Message() << to_text(mode));
+        options.analysis = mode;
+        const JobStatus status = run(job, query, options);
+        expect_answers(status, job, query);
+        const BlockTraffic& blocks = status.traffic.blocks;
+        EXPECT_GT(blocks.misses + blocks.hinted, 0u);
+        EXPECT_LT(2 * (blocks.misses + blocks.hinted), named_a.size() + named_b.size());
     }
 }
 

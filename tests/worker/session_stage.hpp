@@ -4,6 +4,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
+#include "common/job/query_roots.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/proto/loopback.hpp"
@@ -46,7 +47,8 @@ inline std::vector<Scenario> make_scenarios(std::uint64_t first, std::uint64_t c
 }
 
 /// A unit of work as the master analyses it.
-inline WorkUnit make_batch(TaskId task, std::span<const Scenario> scenarios) {
+inline WorkUnit
+make_batch(TaskId task, std::span<const Scenario> scenarios, const Query& query = {}) {
     WorkUnit batch;
     batch.task = task;
     batch.job = JobId{1};
@@ -55,7 +57,7 @@ inline WorkUnit make_batch(TaskId task, std::span<const Scenario> scenarios) {
     batch.pair_offsets = {0};
     for (const Scenario& scenario : scenarios) {
         const auto pairs =
-            colliding_roots(bodies().a.top, bodies().b.top, scenario.poses).value().pairs;
+            query_roots(bodies().a.top, bodies().b.top, scenario, query).value().pairs;
         batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
         batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
     }
@@ -68,9 +70,9 @@ inline WorkUnit make_range(TaskId task, std::span<const Scenario> scenarios) {
 }
 
 /// Returns the result of one process before `inside` is settled, which takes whole bodies.
-inline Bytes expected_record(const Scenario& scenario) {
+inline Bytes expected_record(const Scenario& scenario, const Query& query = {}) {
     const std::vector<SubtreePair> whole{{bodies().a.tree.view(), bodies().b.tree.view()}};
-    return encode_result(run_on_subtrees(whole, scenario, Query{}).result);
+    return encode_result(run_on_subtrees(whole, scenario, query).result);
 }
 
 /// Plays the master: sends requested blocks, and records what it receives.

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/worker.hpp"
+#include "common/job/distance_looks.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_motion.hpp"
@@ -83,6 +84,7 @@ Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCac
     Task task(unit.task, std::move(job), std::move(scenarios.value()), std::move(trees));
     if (unit.is_analysed()) {
         task.pairs_ = TaskPairs(std::move(unit.pair_offsets), std::move(unit.pairs));
+        task.plan_looks(cache);
     } else {
         task.unwalked_end_ = unit.count;
     }
@@ -99,13 +101,27 @@ Task::Task(TaskId id,
       trees_(std::move(trees)),
       unanswered_(scenarios_.size()) {}
 
+void Task::plan_looks(const SubtreeCache& cache) {
+    for (std::size_t scenario = 0; scenario < scenario_count(); ++scenario) {
+        if (looks_twice(job_->query, pairs_.of(scenario)) &&
+            !std::ranges::all_of(roots_of(scenario),
+                                 [&](const SubtreeKey& key) { return cache.has(key); })) {
+            pairs_.set({scenario, {}, true});
+        }
+    }
+}
+
 std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
     const Scenario of = scenarios_.at(scenario);
+    const auto pairs = pairs_.of(scenario);
     std::vector<SubtreeKey> keys;
-    for (const RootIndex root : roots_of_a(pairs_.of(scenario))) {
+    if (pairs.empty() && looks_again(scenario)) {
+        keys = {{job_->tree_a(of), top_root}, {job_->tree_b(of), top_root}};
+    }
+    for (const RootIndex root : roots_of_a(pairs)) {
         keys.push_back({job_->tree_a(of), root});
     }
-    for (const RootIndex root : roots_of_b(pairs_.of(scenario))) {
+    for (const RootIndex root : roots_of_b(pairs)) {
         keys.push_back({job_->tree_b(of), root});
     }
     // Both bodies may share a tree.
@@ -127,6 +143,15 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     ready.subtrees_a = subtrees_of(cache, job_->tree_a(ready.scenario), ready.roots_a);
     ready.subtrees_b = subtrees_of(cache, job_->tree_b(ready.scenario), ready.roots_b);
     return ready;
+}
+
+Walk Task::next_look(std::size_t scenario, SubtreeCache& cache) const {
+    const Scenario of = scenarios_.at(scenario);
+    Walk walk{job_, scenarios_, scenario, scenario + 1, {}, answered_elsewhere_};
+    for (const TreeId tree : {job_->tree_a(of), job_->tree_b(of)}) {
+        walk.trees.emplace(tree, cache.snapshot(tree));
+    }
+    return walk;
 }
 
 Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {

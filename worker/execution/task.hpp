@@ -37,8 +37,16 @@ class Task {
     [[nodiscard]] const std::set<TreeId>& trees() const { return trees_; }
 
     // ---- Scenarios whose roots are known ----------------------------------------------------
-    /// The distinct subtrees that a scenario needs, ascending.
+    /// The distinct subtrees that a scenario needs now, ascending: of its pairs, or both upper
+    /// trees if a descent has to find its first look.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
+    /// Whether a scenario needs a further descent once `roots_of(scenario)` are cached, because the
+    /// pairs known are those of a first look at a distance.
+    [[nodiscard]] bool looks_again(std::size_t scenario) const {
+        return pairs_.are_first_look(scenario);
+    }
+    /// Returns the further descent of a scenario that looks again.
+    [[nodiscard]] Walk next_look(std::size_t scenario, SubtreeCache& cache) const;
     /// Collects the data of a scenario for a thread. Requires `roots_of(scenario)` to be cached.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
@@ -48,8 +56,8 @@ class Task {
     /// Takes the next scenarios for a descent: as many as take about `timing::walk_seconds`, but
     /// few enough to leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
-    /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.
-    void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
+    /// Stores the roots that a descent found for a scenario that lacks subtrees.
+    void keep_roots(Walked::Waiting waiting) { pairs_.set(std::move(waiting)); }
     /// Ends, without a result, all scenarios that no descent has taken.
     void drop_unwalked() { keep_first(0); }
     /// Ends, without a result, all scenarios from position `count` on that no descent has taken.
@@ -87,6 +95,9 @@ class Task {
          std::shared_ptr<const WorkerJob> job,
          TaskScenarios scenarios,
          std::set<TreeId> trees);
+
+    /// Lets those scenarios of an analysed unit look twice that would fetch subtrees otherwise.
+    void plan_looks(const SubtreeCache& cache);
 
     TaskId id_;
     std::shared_ptr<const WorkerJob> job_;

@@ -20,20 +20,29 @@ class TaskPairs {
     TaskPairs(std::vector<std::uint32_t> offsets, std::vector<RootPair> pairs)
         : offsets_(std::move(offsets)), pairs_(std::move(pairs)) {}
 
-    void add(Walked::Waiting found) { found_.emplace(found.scenario, std::move(found.pairs)); }
+    /// Sets the pairs that a scenario needs now, instead of those known before.
+    void set(Walked::Waiting found) {
+        const std::size_t scenario = found.scenario;
+        found_.insert_or_assign(scenario, std::move(found));
+    }
     /// The pairs of a scenario, which must be known.
     [[nodiscard]] std::span<const RootPair> of(std::size_t scenario) const {
-        if (offsets_.empty()) {
-            return found_.at(scenario);
+        if (const auto found = found_.find(scenario); found != found_.end()) {
+            return found->second.pairs;
         }
-        const std::uint32_t begin = offsets_[scenario];
-        return std::span(pairs_).subspan(begin, offsets_[scenario + 1] - begin);
+        const std::uint32_t begin = offsets_.at(scenario);
+        return std::span(pairs_).subspan(begin, offsets_.at(scenario + 1) - begin);
+    }
+    /// Whether the pairs of a scenario are those of a first look.
+    [[nodiscard]] bool are_first_look(std::size_t scenario) const {
+        const auto found = found_.find(scenario);
+        return found != found_.end() && found->second.is_first_look;
     }
 
   private:
     std::vector<std::uint32_t> offsets_; ///< Empty unless the unit is analysed.
     std::vector<RootPair> pairs_;
-    std::unordered_map<std::size_t, std::vector<RootPair>> found_; ///< Pairs that descents found.
+    std::unordered_map<std::size_t, Walked::Waiting> found_; ///< What descents found.
 };
 
 } // namespace cd

@@ -1,12 +1,14 @@
 #include "worker/execution/walk.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/distance_looks.hpp"
 #include "common/job/query_roots.hpp"
 #include "common/job/run_motion.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -109,16 +111,73 @@ class Walker {
             return true;
         }
         finished.statistics.box_tests += roots.value().box_tests;
-        if (!gather(roots.value().pairs)) {
-            walked_.waiting.push_back({which, std::move(roots.value().pairs)});
+        std::vector<RootPair>& pairs = roots.value().pairs;
+        return looks_twice(walk_.job->query, pairs) && !holds(pairs)
+                   ? look_twice(which, scenario, std::move(pairs), options)
+                   : run_or_wait(which, scenario, std::move(pairs), options);
+    }
+
+    /// Runs a scenario that asks for the distance in two looks, or records that it waits for
+    /// subtrees. The first look is at the nearest of `pairs`, and at all others whose subtrees are
+    /// cached; the second at those that may be nearer than what was found. Returns false if
+    /// stopped.
+    bool look_twice(std::size_t which,
+                    const Scenario& scenario,
+                    std::vector<RootPair> pairs,
+                    const RunOptions& options) {
+        const TreeTop& top_a = a_.tree->top();
+        const TreeTop& top_b = b_.tree->top();
+        std::vector<RootPair> nearest = first_look(top_a, top_b, scenario.poses, pairs);
+        if (!holds(nearest)) {
+            walked_.waiting.push_back({which, std::move(nearest), true});
             return true;
         }
-        const ScenarioRun run = run_on_pairs(scenario, options);
+        std::vector<RootPair> held;
+        std::ranges::copy_if(pairs, std::back_inserter(held), [this](const RootPair& pair) {
+            return holds({&pair, 1});
+        });
+        const std::uint64_t found_before = walked_.found;
+        gather(held);
+        const ScenarioRun run = run_on_gathered(held, scenario, options);
+        if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
+            return add(run);
+        }
+        walked_.finished.statistics += run.statistics;
+        const auto& found = run.result.nearest;
+        pairs = second_look(top_a,
+                            top_b,
+                            scenario.poses,
+                            std::move(pairs),
+                            found ? std::optional(found->distance) : std::nullopt);
+        if (!holds(pairs)) {
+            walked_.found = found_before; // Whoever gets the missing subtrees counts all.
+        }
+        return run_or_wait(which, scenario, std::move(pairs), options);
+    }
+
+    /// Runs a scenario on all pairs of roots that it needs, or records that it waits for subtrees.
+    /// Returns false if stopped.
+    bool run_or_wait(std::size_t which,
+                     const Scenario& scenario,
+                     std::vector<RootPair> pairs,
+                     const RunOptions& options) {
+        if (!gather(pairs)) {
+            walked_.waiting.push_back({which, std::move(pairs)});
+            return true;
+        }
+        return add(run_on_gathered(pairs, scenario, options));
+    }
+
+    /// Runs a scenario on `pairs`, which are gathered, and notes the pair that touches.
+    [[nodiscard]] ScenarioRun run_on_gathered(std::span<const RootPair> pairs,
+                                              const Scenario& scenario,
+                                              const RunOptions& options) {
+        ScenarioRun run = run_on_pairs(scenario, options);
         touching_.reset();
         if (search_->touching && can_expect_touch()) {
-            touching_ = roots.value().pairs[*search_->touching];
+            touching_ = pairs[*search_->touching];
         }
-        return add(run);
+        return run;
     }
 
     /// Runs a scenario on the pairs gathered.
@@ -136,6 +195,13 @@ class Walker {
         walked_.finished.statistics += run.statistics;
         map_.add(run.result, run.found);
         return true;
+    }
+
+    /// Returns whether no subtree of the pairs is missing.
+    [[nodiscard]] bool holds(std::span<const RootPair> pairs) const {
+        return std::ranges::all_of(pairs, [this](const RootPair& pair) {
+            return a_.tree->at(pair.a) != nullptr && b_.tree->at(pair.b) != nullptr;
+        });
     }
 
     /// Collects the subtrees of the pairs. Returns false if a subtree is missing.

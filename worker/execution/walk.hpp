@@ -1,5 +1,6 @@
 // Runs part of a scenario range on one thread: finds the colliding roots of each scenario, and
-// tests at once the scenarios whose subtrees are all cached.
+// tests at once the scenarios whose subtrees are all cached. A distance needs the subtrees of its
+// nearest roots first, and then those of the roots that may be nearer than what was found.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -67,8 +68,11 @@ struct FinishedScenarios {
 struct Walked {
     /// A scenario with missing subtrees.
     struct Waiting {
-        std::size_t scenario = 0; ///< Position in the task.
-        std::vector<RootPair> pairs;
+        std::size_t scenario = 0;    ///< Position in the task.
+        std::vector<RootPair> pairs; ///< Those whose subtrees it needs now.
+        /// Whether `pairs` are only the nearest ones of a distance (`first_look`). A further
+        /// descent answers the scenario, or finds all pairs that it needs.
+        bool is_first_look = false;
     };
 
     FinishedScenarios finished;

@@ -109,7 +109,7 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
             cache_.pin(key);
         }
         ++use->second.scenarios;
-        if (cache_.at(key) != nullptr) {
+        if (cache_.has(key)) {
             ++admission.found;
             continue;
         }

@@ -42,8 +42,8 @@ class Fetcher {
 
     explicit Fetcher(SubtreeCache& cache) : cache_(cache) {}
 
-    /// Queues a scenario that needs `roots`, which are distinct and exist in the cache's trees. The
-    /// token is new.
+    /// Queues a scenario that needs `roots`, which are distinct and exist in the cache's trees;
+    /// `top_root` names an upper tree. The token is new.
     void add(Token token, JobId job, std::vector<SubtreeKey> roots);
     /// Announces a subtree that future scenarios will need. The subtree is requested when no
     /// scenario waits for a subtree and requests are below `limits::hinted_bytes_max`. The hint is

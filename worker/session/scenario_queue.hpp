@@ -18,7 +18,7 @@ namespace cd {
 /// A queue in which a scenario waits for its subtrees, then for a thread, then runs.
 class ScenarioQueue {
   public:
-    using Token = std::uint64_t; ///< Identifies a scenario; used once.
+    using Token = std::uint64_t; ///< Identifies a scenario; used once; never 0.
     struct Entry {
         Token token = 0;
         TaskId task;

@@ -185,7 +185,7 @@ bool TaskRunner::start_next() {
     }
     Task* const task = queue_.size() < limits::walked_waiting_max ? next_to_walk() : nullptr;
     if (task != nullptr) {
-        start_walk(*task);
+        start_walk(*task, task->next_walk(blocks_.cache(), hub_.threads()));
     }
     return task != nullptr;
 }
@@ -201,6 +201,9 @@ Task* TaskRunner::next_to_walk() {
 
 void TaskRunner::start(const Entry& entry) {
     const Task& task = book_.at(entry.task);
+    if (task.looks_again(entry.scenario)) {
+        return start_walk(task, task.next_look(entry.scenario, blocks_.cache()), entry);
+    }
     ++running_;
     hub_.run_on_thread([this,
                         over = hub_.over(),
@@ -228,20 +231,23 @@ void TaskRunner::start(const Entry& entry) {
     });
 }
 
-void TaskRunner::start_walk(Task& task) {
+void TaskRunner::start_walk(const Task& task, Walk next, const Entry& entry) {
     ++running_;
-    const auto part = std::make_shared<const Walk>(task.next_walk(blocks_.cache(), hub_.threads()));
     hub_.run_on_thread([this,
                         over = hub_.over(),
                         abandoned = task.abandoned(),
                         clock = clocks_.add(task.job().id),
                         id = task.id(),
                         computed = computed_,
-                        part] {
+                        entry,
+                        part = std::make_shared<const Walk>(std::move(next))] {
         const auto stop = [&] { return over->load() || abandoned->load(); };
-        auto found = std::make_shared<Walked>(walk(*part, stop, *clock));
-        *computed += found->finished.count;
-        return [this, id, found] { walked(id, std::move(*found)); };
+        const auto found = std::make_shared<Walked>();
+        if (entry.has_begun == nullptr || !entry.has_begun->exchange(true)) {
+            *found = walk(*part, stop, *clock);
+            *computed += found->finished.count;
+        }
+        return [this, id, token = entry.token, found] { walked(id, token, std::move(*found)); };
     });
 }
 
@@ -264,9 +270,13 @@ void TaskRunner::scenario_ran(ScenarioQueue::Token token,
     }
 }
 
-void TaskRunner::walked(TaskId id, Walked walked) {
+void TaskRunner::walked(TaskId id, ScenarioQueue::Token token, Walked walked) {
     --running_;
     hub_.settle_soon();
+    const bool is_one = token != ScenarioQueue::Token{};
+    if (is_one && !queue_.finish(token)) {
+        return; // The scenario was dropped before it began.
+    }
     Task& task = book_.at(id);
     blocks_.found(task.job().id, walked);
     task.drop(walked.left);
@@ -278,6 +288,9 @@ void TaskRunner::walked(TaskId id, Walked walked) {
             task.keep_roots(std::move(waiting));
             wait_for_subtrees(task, scenario);
         }
+    }
+    if (is_one) {
+        blocks_.release(token);
     }
     add_results(task, walked.finished);
 }

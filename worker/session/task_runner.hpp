@@ -59,11 +59,13 @@ class TaskRunner {
     void wait_for_subtrees(const Task& task, std::size_t scenario);
     [[nodiscard]] bool start_next();
     void start(const Entry& entry);
-    void start_walk(Task& task);
+    /// Starts a descent, of which `entry` is the only scenario if it is from the queue.
+    void start_walk(const Task& task, Walk next, const Entry& entry = {});
     /// Returns the first task with scenarios for a descent and cached upper trees, or null.
     [[nodiscard]] Task* next_to_walk();
     void scenario_ran(ScenarioQueue::Token token, const std::optional<FinishedScenarios>& finished);
-    void walked(TaskId task, Walked walked);
+    /// `token` is 0 unless the descent was for one scenario of the queue.
+    void walked(TaskId task, ScenarioQueue::Token token, Walked walked);
     /// Drops and returns the scenarios that match `concerned` and have not begun.
     std::vector<Entry> drop_unbegun(const std::function<bool(const Entry&)>& concerned);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);

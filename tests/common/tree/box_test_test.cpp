@@ -1,5 +1,5 @@
-// Proves that the box test rejects boxes a small distance apart, keeps those that touch, and
-// decides nothing where numbers overflow or poses are no rotations.
+// Proves that the box test rejects boxes a small distance apart, keeps those that touch, bounds
+// how far apart boxes are, and decides nothing where numbers overflow or poses are no rotations.
 
 #include "common/tree/box_test.hpp"
 
@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,11 @@ ObbNode random_node(std::mt19937_64& random, double offset, double scale = 1) {
         return Vec3(scale * (turn * vertex.cwiseProduct(stretch)) + shift);
     });
     return make_tree(cloud, {.leaf_triangles_max = 8}).nodes()[0];
+}
+
+double least_distance(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
+    const BoxTest boxes(relative_pose(poses));
+    return boxes.least_distance(a, boxes.pose(b));
 }
 
 bool may_overlap(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
@@ -118,6 +124,45 @@ TEST(BoxTest, KeepsBoxesThatTouchInOnePoint) {
     }
 }
 
+TEST(BoxTest, BoxesAreAtLeastAsFarApartAsTheLeastDistance) {
+    for (SeededRandom random : seeds(300)) {
+        const ObbNode a = random_node(random, 1.0);
+        const ObbNode b = random_node(random, 1.0);
+        PosePair poses{make_pose(random, 1.0), make_pose(random, 1.0)};
+        // A corner or a point of an edge or a face of B comes to a point of A.
+        const auto point = [&](const ObbNode& box) {
+            Vec3 at = center_point(box);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double share = std::clamp(uniform(random, -2, 2), -1.0, 1.0);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    at[static_cast<Eigen::Index>(i)] += share *
+                                                        static_cast<double>(box.half[axis]) *
+                                                        static_cast<double>(box.axes[3 * axis + i]);
+                }
+            }
+            return at;
+        };
+        poses.b = moved(poses.b, poses.a.apply(point(a)) - poses.b.apply(point(b)));
+        EXPECT_EQ(least_distance(a, b, poses), 0);
+        const double apart = uniform(random, 0, 100);
+        poses.b = moved(poses.b, apart * random_point(random, 1).normalized());
+        EXPECT_LE(least_distance(a, b, poses), apart);
+    }
+}
+
+TEST(BoxTest, TheLeastDistanceIsThatOfFacesEdgesAndCornersThatFaceEachOther) {
+    ObbNode a;
+    a.axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    a.half = {0.5F, 0.5F, 0.5F};
+    for (const Vec3& gap : {Vec3(3, 0, 0), Vec3(3, 0, 4), Vec3(2, -3, 6)}) {
+        const Vec3 sign = gap.cwiseSign();
+        const Vec3 apart = gap + sign;
+        const PosePair poses{Pose{}, translation_pose(apart.x(), apart.y(), apart.z())};
+        EXPECT_LE(least_distance(a, a, poses), gap.norm());
+        EXPECT_GT(least_distance(a, a, poses), 0.985 * gap.norm());
+    }
+}
+
 TEST(BoxTest, ParallelEdgesDoNotReject) {
     for (SeededRandom random : seeds(50)) {
         const ObbNode a = random_node(random, 1.0);
@@ -133,6 +178,7 @@ TEST(BoxTest, OverflowMeansMaybe) {
     const ObbNode small = random_node(random, 1.0);
     const PosePair poses{make_pose(random, 10.0), make_matrix_pose(random, 10.0)};
     EXPECT_TRUE(may_overlap(huge, small, poses));
+    EXPECT_EQ(least_distance(huge, small, poses), 0);
     EXPECT_TRUE(may_overlap(small, huge, poses));
     EXPECT_TRUE(may_overlap(huge, huge, poses));
 

@@ -5,6 +5,7 @@
 #include "master/compute/analyser.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/distance_looks.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/tree/build/build.hpp"
@@ -13,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <set>
@@ -122,6 +124,21 @@ TEST_F(AnalyserTest, AnalysisAndSubtreesTogetherAreTheWholeAnswer) {
     EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Separate)], 10);
     EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Cross)], 10);
     EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Inside)], 10);
+}
+
+TEST_F(AnalyserTest, ADistancePlansTheBlocksOfItsFirstLook) {
+    AnalysisInput input = make_input(make_sphere(4), make_box({0.2, 0.3, 0.4}), 5);
+    input.query.level = Level::Any;
+    input.query.question = Question::Distance;
+    Scenario scenario;
+    scenario.poses.b = translation_pose(3, 0.1, 0.2);
+    const Analysis analysis = analyse(input, scenario);
+    EXPECT_GT(analysis.pairs.size(), 4u);
+    EXPECT_TRUE(std::ranges::is_sorted(analysis.pairs));
+    const auto first = first_look(*input.tops[0], *input.tops[1], scenario.poses, analysis.pairs);
+    EXPECT_EQ(analysis.roots_a, roots_of_a(first));
+    EXPECT_EQ(analysis.roots_b, roots_of_b(first));
+    EXPECT_LT(analysis.roots_a.size(), roots_of_a(analysis.pairs).size());
 }
 
 TEST_F(AnalyserTest, BlocksComeInOrderAndOnlyThoseAskedFor) {

@@ -3,22 +3,18 @@
 // scenario's bodies.
 #include "worker/execution/walk.hpp"
 
-#include "common/job/result/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "tests/support/many_bodies.hpp"
 #include "tests/support/scenarios.hpp"
-#include "tests/worker/cut_body.hpp"
-#include "worker/cache/subtree_cache.hpp"
+#include "tests/worker/execution/walks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,17 +26,6 @@ struct SweepQuery {
     Level level = Level::Any;
     SubtreeForm form = SubtreeForm::Wide;
 };
-
-/// Returns a tree of which the worker holds all blocks.
-PartialObbTree held(const CutBody& body) {
-    PartialObbTree tree(body.top.root_count());
-    tree.set_top(std::make_shared<const TreeTop>(body.top));
-    for (RootIndex root = 0; root < body.top.root_count(); ++root) {
-        const OpenedBlock opened = open_block(body.block(root)).value();
-        tree.fill(root, std::get<std::shared_ptr<const Subtree>>(opened));
-    }
-    return tree;
-}
 
 /// A torus, cut in 16, and a box that moves into its wall in small steps, cut in 64.
 class Sweep {
@@ -104,18 +89,6 @@ class Sweep {
     PartialObbTree held_box_;
     std::shared_ptr<const WorkerJob> job_;
 };
-
-std::vector<ScenarioResult> results_of(const FinishedScenarios& finished) {
-    std::vector<ScenarioResult> results;
-    std::span<const std::byte> left = finished.records;
-    while (!left.empty()) {
-        std::uint32_t size = 0;
-        std::memcpy(&size, left.data(), sizeof(size));
-        results.push_back(decode_result(left.subspan(sizeof(size), size)).value());
-        left = left.subspan(sizeof(size) + size);
-    }
-    return results;
-}
 
 } // namespace
 

@@ -67,6 +67,22 @@ TEST(Fetcher, AScenarioIsReadyWhenItsLastSubtreeIsHere) {
     EXPECT_TRUE(bench.fetcher.advance().ready.empty());
 }
 
+TEST(Fetcher, AScenarioMayNeedUpperTrees) {
+    Bench bench(1);
+    const Keys tops{{tree_a, top_root}, {tree_b, top_root}};
+    bench.fetcher.add(1, JobId{1}, tops);
+    EXPECT_EQ(bench.fetcher.advance().want, tops);
+    bench.deliver(tops[0]);
+    EXPECT_TRUE(bench.fetcher.advance().ready.empty());
+    bench.deliver(tops[1]);
+    EXPECT_EQ(bench.fetcher.advance().ready, Tokens{1});
+    bench.fetcher.finished(1);
+    bench.fetcher.add(2, JobId{1}, tops);
+    const Fetcher::Step again = bench.fetcher.advance();
+    EXPECT_TRUE(again.want.empty());
+    EXPECT_EQ(again.ready, Tokens{2});
+}
+
 TEST(Fetcher, ScenariosDoNotWaitForEachOther) {
     Bench bench(unlimited);
     bench.fetcher.add(1, JobId{1}, {{tree_a, 0}});

@@ -62,8 +62,8 @@ struct HubStage : testing::Test {
     RecordingMaster master;
 };
 
-inline AddJob add_job(JobId job = JobId{1}) {
-    return AddJob{job, {tree_a, tree_b}, {}, std::nullopt};
+inline AddJob add_job(JobId job = JobId{1}, const Query& query = {}) {
+    return AddJob{job, {tree_a, tree_b}, query, std::nullopt};
 }
 
 } // namespace cd::tests

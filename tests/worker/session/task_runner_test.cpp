@@ -1,11 +1,12 @@
 // Proves that a session answers each scenario of its tasks once or returns it, begins nothing while
-// it may not, and ends each task after its results.
+// it may not, and ends each task after its results. Proves that distances wait for subtrees twice.
 #include "worker/session/task_runner.hpp"
 
 #include "tests/worker/session/parts.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -18,14 +19,23 @@ using testing::IsEmpty;
 constexpr TaskId task{1};
 
 struct Runner : HubStage {
-    Runner() : blocks(*hub, master, keep, {}), tasks(*hub, master, blocks, keep->computed) {
+    explicit Runner(const Query& asked = {})
+        : query(asked),
+          blocks(*hub, master, keep, {}),
+          tasks(*hub, master, blocks, keep->computed) {
         hub->on_settle = [this] { settle(); };
         EXPECT_TRUE(blocks.add_tree(bodies().a.add(tree_a)));
         EXPECT_TRUE(blocks.add_tree(bodies().b.add(tree_b)));
-        EXPECT_TRUE(tasks.add_job(add_job()));
+        EXPECT_TRUE(tasks.add_job(add_job(JobId{1}, query)));
     }
     void settle() {
         has_ended_last = tasks.settle(blocks.settle()) || has_ended_last;
+        if (serves) {
+            serve();
+        }
+    }
+    /// Sends all blocks that were asked for.
+    void serve() {
         for (; wants_served < master.sent.size(); ++wants_served) {
             const auto* want = std::get_if<WantSubtrees>(&master.sent[wants_served]);
             Subtrees subtrees;
@@ -33,6 +43,7 @@ struct Runner : HubStage {
                 const CutBody& body = want->tree == tree_a ? bodies().a : bodies().b;
                 subtrees.tree = want->tree;
                 subtrees.blocks.push_back(body.block(want->roots[i]));
+                wanted.insert({want->tree, want->roots[i]});
             }
             blocks.receive(std::move(subtrees));
         }
@@ -64,18 +75,74 @@ struct Runner : HubStage {
                 const auto found = in.get_bytes(in.get<std::uint32_t>());
                 const Bytes record(found.begin(), found.end());
                 const std::uint64_t index = decode_result(record).value().index;
-                EXPECT_EQ(record, expected_record(make_scenarios(index, 1)[0]));
+                EXPECT_EQ(record, expected_record(make_scenarios(index, 1)[0], query));
                 EXPECT_TRUE(indices.insert(index).second) << "answered twice";
             }
         }
         return indices;
     }
 
+    Query query;
     std::shared_ptr<CarryOver> keep = std::make_shared<CarryOver>(unlimited);
     BlockInbox blocks;
     TaskRunner tasks;
+    bool serves = true;          ///< False: only calls of `serve` send blocks.
+    std::set<SubtreeKey> wanted; ///< Blocks asked for and sent.
     std::size_t wants_served = 0;
     bool has_ended_last = false;
+};
+
+struct DistanceRunner : Runner {
+    DistanceRunner() : Runner(distance()) {}
+
+    static Query distance() {
+        Query query;
+        query.level = Level::Any;
+        query.question = Question::Distance;
+        return query;
+    }
+    /// Returns some of the scenarios that `answered` knows, whose bodies are apart.
+    static std::vector<Scenario> apart(std::size_t count) {
+        std::vector<Scenario> scenarios;
+        for (std::uint64_t index = 0; scenarios.size() < count; ++index) {
+            const Scenario scenario = make_scenarios(index, 1)[0];
+            if (decode_result(expected_record(scenario, distance())).value().nearest) {
+                scenarios.push_back(scenario);
+            }
+        }
+        return scenarios;
+    }
+    /// Runs one scenario, and returns how many of the blocks it asked for.
+    std::size_t blocks_for(const Scenario& scenario, bool is_range) {
+        const std::vector one{scenario};
+        EXPECT_TRUE(
+            tasks.add(is_range ? make_range(task, one) : make_batch(task, one, distance())));
+        run_to_the_end();
+        EXPECT_EQ(answered(), std::set{scenario.index});
+        return wanted.size();
+    }
+    /// Runs until blocks are asked for that were not sent.
+    void run_until_wanted() {
+        run_until([&] {
+            return std::any_of(
+                master.sent.begin() + static_cast<std::ptrdiff_t>(wants_served),
+                master.sent.end(),
+                [](const Message& sent) { return std::holds_alternative<WantSubtrees>(sent); });
+        });
+    }
+    /// Adds a scenario whose first look is over, and which waits for its second.
+    std::uint64_t add_for_second_look(bool is_range) {
+        serves = false;
+        const auto scenarios = apart(1);
+        EXPECT_TRUE(tasks.add(is_range ? make_range(task, scenarios)
+                                       : make_batch(task, scenarios, distance())));
+        for (int looks = 0; looks < 2; ++looks) { // The upper trees, then the nearest roots.
+            run_until_wanted();
+            serve();
+        }
+        run_until_wanted();
+        return scenarios[0].index;
+    }
 };
 
 TEST_F(Runner, AnswersEachScenarioAndThenEndsTheTask) {
@@ -156,6 +223,74 @@ TEST_F(Runner, EndsTheTasksOfARemovedJob) {
     EXPECT_THAT(answered(), IsEmpty());
     EXPECT_THAT(tasks.add(make_range(TaskId{2}, make_scenarios(0, 1))).error().detail,
                 HasSubstr("job that is not here"));
+}
+
+TEST_F(DistanceRunner, AsksForFewerBlocksThanAllRootsName) {
+    const Scenario scenario = apart(1)[0];
+    const WorkUnit named = make_batch(task, std::vector{scenario}, distance());
+    const std::size_t all = roots_of_a(named.pairs).size() + roots_of_b(named.pairs).size() + 2;
+    const std::size_t asked = blocks_for(scenario, false);
+    EXPECT_LT(asked, all);
+    EXPECT_TRUE(wanted.contains({tree_a, top_root}));
+    master.sent.clear();
+    wants_served = 0;
+    EXPECT_EQ(blocks_for(scenario, true), asked) << "a range needs the same blocks";
+}
+
+TEST_F(DistanceRunner, AnswersEachScenarioAndThenEndsTheTask) {
+    for (const bool is_range : {true, false}) {
+        const auto scenarios = make_scenarios(0, 40);
+        EXPECT_TRUE(tasks.add(is_range ? make_range(task, scenarios)
+                                       : make_batch(task, scenarios, distance())));
+        run_to_the_end();
+        EXPECT_EQ(answered().size(), 40u);
+        EXPECT_EQ(std::get<EndOfTask>(master.sent.back()).task, task);
+        master.sent.clear();
+        wants_served = 0;
+    }
+    EXPECT_EQ(keep->computed->load(), 80u);
+}
+
+TEST_F(DistanceRunner, AnswersWithACacheOfAFewBlocks) {
+    blocks.cache() = SubtreeCache(1);
+    EXPECT_TRUE(blocks.add_tree(bodies().a.add(tree_a)));
+    EXPECT_TRUE(blocks.add_tree(bodies().b.add(tree_b)));
+    for (const bool is_range : {true, false}) {
+        const auto scenarios = make_scenarios(0, 20);
+        EXPECT_TRUE(tasks.add(is_range ? make_range(task, scenarios)
+                                       : make_batch(task, scenarios, distance())));
+        run_to_the_end();
+        EXPECT_EQ(answered().size(), 20u);
+        master.sent.clear();
+        wants_served = 0;
+    }
+}
+
+TEST_F(DistanceRunner, ReturnsARecalledScenarioThatWaitsForItsSecondLook) {
+    const std::uint64_t index = add_for_second_look(false);
+    tasks.recall({task, {index}, 0});
+    const auto recalled = master.all<Recalled>();
+    ASSERT_EQ(recalled.size(), 1u);
+    EXPECT_EQ(recalled[0].scenarios, std::vector{index});
+    run_to_the_end();
+    EXPECT_THAT(answered(), IsEmpty());
+    EXPECT_EQ(master.all<EndOfTask>().size(), 1u);
+}
+
+TEST_F(DistanceRunner, ReturnsAScenarioThatWaitsForItsSecondLookWhenItStops) {
+    add_for_second_look(true);
+    tasks.stop();
+    run_to_the_end();
+    EXPECT_THAT(answered(), IsEmpty());
+    EXPECT_EQ(master.all<EndOfTask>().size(), 1u);
+}
+
+TEST_F(DistanceRunner, AnswersAScenarioThatHasWaitedForItsSecondLook) {
+    const std::uint64_t index = add_for_second_look(false);
+    serves = true;
+    serve();
+    run_to_the_end();
+    EXPECT_EQ(answered(), std::set{index});
 }
 
 } // namespace
