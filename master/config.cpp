@@ -155,9 +155,12 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
            "SECONDS")
         ->check(times)
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+    option(app.add_option("--log-level", config.log.level, "Least severe level that is logged"),
            "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--log-format", config.log.format, "Form of log lines"), "FORMAT")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     option(app.add_option("--port-file", config.port_file, "Write the port into this file"),
            "FILE");

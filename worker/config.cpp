@@ -116,9 +116,12 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                           "Port on which other workers fetch geometry; 0: the system chooses one"),
            "PORT")
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+    option(app.add_option("--log-level", config.log.level, "Least severe level that is logged"),
            "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--log-format", config.log.format, "Form of log lines"), "FORMAT")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     option(app.add_option("--connect-for",
                           texts.connect_for,

@@ -112,7 +112,7 @@ DOORS = {
     r"xxhash\.h": ["common/core/files/hash.cpp"],
     r"zstd\.h": ["common/core/files/compress.cpp"],
     r"spdlog/": ["common/core/host/log.cpp"],
-    r"fmt/": ["common/core/host/log.hpp", "common/core/words.cpp", "client", "web"],
+    r"fmt/": ["common/core/host/log.hpp", "common/core/host/log_style.cpp", "common/core/words.cpp", "client", "web"],
     r"boost/asio": ["proto/channel/asio.hpp", "proto/channel/asio_tls.hpp"],
     r"boost/multiprecision": ["common/pair/numbers", "common/tree/build/triangle_cells"],
     r"boost/": ["proto", "common/pair/numbers"],
