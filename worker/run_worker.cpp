@@ -1,6 +1,7 @@
 #include "worker/run_worker.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/host/service_notice.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/worker.hpp"
@@ -178,6 +179,7 @@ class Daemon {
             log_warning("ended at once by a second signal");
             std::_Exit(exit_at_once);
         }
+        notify_service("STOPPING=1");
         if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
             pause_.skip(); // Reconnects at once, to drain over the new connection.
         } else {

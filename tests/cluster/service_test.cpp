@@ -2,6 +2,7 @@
 // programs.
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
+#include "tests/support/notify_socket.hpp"
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -103,6 +104,24 @@ class Service : public testing::Test {
 
     TemporaryFolder folder_;
 };
+
+TEST_F(Service, TheManagerHearsWhenDaemonsAreReadyAndWhenTheyStop) {
+    NotifySocket of_master((folder_ / "master.notify").string());
+    NotifySocket of_worker("@cdcluster-worker-" + std::to_string(::getpid()));
+    const auto master = start_master({of_master.variable()}, {});
+    ASSERT_EQ(of_master.next(), "READY=1") << master->errors();
+    // Ready is later than the port file: who waits for the service can connect.
+    const auto worker =
+        start("worker", {of_worker.variable()}, worker_command(address(), "w", 1, {}));
+    ASSERT_EQ(of_worker.next(), "READY=1") << worker->errors();
+    EXPECT_EQ(connect_to(address(), nullptr)->status().value().workers.size(), 1u);
+    worker->signal(SIGTERM);
+    EXPECT_EQ(of_worker.next(), "STOPPING=1") << worker->errors();
+    EXPECT_EQ(worker->wait(), 0);
+    master->signal(SIGTERM);
+    EXPECT_EQ(of_master.next(), "STOPPING=1") << master->errors();
+    EXPECT_EQ(master->wait(), 0);
+}
 
 TEST_F(Service, EachLogLineOfAClusterIsAJsonObject) {
     const auto master = start_master({"CDMASTER_LOG_FORMAT=json"}, {"--log-level", "debug"});
