@@ -4,6 +4,7 @@
 #include "common/core/duration.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/timing/master.hpp"
@@ -200,6 +201,11 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     const CLI::App* const init =
         app.add_subcommand("init", "Make an identity in the state directory");
     app.require_subcommand(0, 1);
+    if (words == std::vector<std::string>{"--man"}) {
+        return {std::nullopt,
+                man_page(app, 8, "takes jobs from cdctl and distributes them to workers"),
+                0};
+    }
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -3,6 +3,7 @@
 #include "common/core/build_info.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/host/memory_limit.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
@@ -213,6 +214,10 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     app.set_help_flag("-h,--help", "Print this text");
     add_options(app, config, texts);
     const CLI::App* join = add_join(app, texts);
+    if (words == std::vector<std::string>{"--man"}) {
+        return {
+            std::nullopt, man_page(app, 8, "runs the collision tests that a master assigns"), 0};
+    }
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

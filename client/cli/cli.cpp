@@ -6,6 +6,7 @@
 #include "client/cli/cli_options.hpp"
 #include "client/cli/completion.hpp"
 #include "common/core/build_info.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -364,6 +365,11 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     verbs.add_view_verb();
     verbs.add_cluster_verbs();
     verbs.add_identity_verbs();
+    if (arguments.front() == "--man") {
+        return {std::nullopt,
+                man_page(app, 1, "finds every contact of two triangle meshes"),
+                exit_done};
+    }
     if (arguments.front() == "complete") {
         return {complete_words(app, std::span(arguments).subspan(1)), "", exit_done};
     }

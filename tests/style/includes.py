@@ -123,7 +123,7 @@ DOORS = {
     r"pugixml": ["client/import/foreign/xml"],
     r"expat\.h": ["client/poses/fcd_xml.cpp"],
     r"zlib\.h": ["client"],
-    r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
+    r"CLI/": ["common/core/host/daemon_options.cpp", "common/core/host/man_page.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client", "web"],
     r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/shots", "common/tree", "common/search/contact_pair"],
