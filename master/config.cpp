@@ -4,6 +4,7 @@
 #include "common/core/duration.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/timing/master.hpp"
@@ -155,9 +156,12 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
            "SECONDS")
         ->check(times)
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+    option(app.add_option("--log-level", config.log.level, "Least severe level that is logged"),
            "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--log-format", config.log.format, "Form of log lines"), "FORMAT")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     option(app.add_option("--port-file", config.port_file, "Write the port into this file"),
            "FILE");
@@ -197,6 +201,11 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     const CLI::App* const init =
         app.add_subcommand("init", "Make an identity in the state directory");
     app.require_subcommand(0, 1);
+    if (words == std::vector<std::string>{"--man"}) {
+        return {std::nullopt,
+                man_page(app, 8, "takes jobs from cdctl and distributes them to workers"),
+                0};
+    }
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 // Options of cdmaster: from the command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
+#include "common/core/host/log_style.hpp"
 #include "common/core/timing/master.hpp"
 #include "master/jobs/job_retention.hpp"
 #include "master/workers/worker_watch.hpp"
@@ -26,7 +27,7 @@ struct MasterConfig {
     bool insecure = false;              ///< Allow to listen beyond loopback without TLS.
     bool check = false;                 ///< `cdmaster check`: check the state, then exit.
     bool no_sync = false; ///< Do not sync; for a state that need not survive a power loss.
-    std::string log_level = "info";
+    LogOptions log;
     std::string port_file; ///< File that receives the port, for scripts. Empty: none.
     HttpConfig http;
     bool init = false; ///< `cdmaster init`: create an identity, then exit.

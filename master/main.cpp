@@ -1,5 +1,6 @@
 // cdmaster: accepts jobs from clients and distributes them to workers.
 #include "common/core/host/log.hpp"
+#include "common/core/host/log_style.hpp"
 #include "master/check_state.hpp"
 #include "master/config.hpp"
 #include "master/run_master.hpp"
@@ -19,11 +20,15 @@ int main(int count, char** arguments) {
         }
         return report.is_sound ? 0 : 2;
     }
-    cd::start_logging("cdmaster", line.config->log_level);
+    cd::start_logging("cdmaster", line.config->log);
     const cd::Status status =
         line.config->init ? cd::init_master(*line.config) : cd::run_master(*line.config);
     if (!status) {
-        std::fprintf(stderr, "cdmaster: %s\n", status.error().detail.c_str());
+        if (line.config->log.format == "json") {
+            cd::log_critical("cannot run: error=\"{}\"", status.error().detail);
+        } else {
+            std::fprintf(stderr, "cdmaster: %s\n", status.error().detail.c_str());
+        }
         return status.error().code == cd::ErrorCode::Refused ? 5 : 2;
     }
     return 0;

@@ -2,6 +2,7 @@
 
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/log.hpp"
+#include "common/core/host/service_notice.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/limits/master.hpp"
@@ -184,6 +185,7 @@ Status run_master(const MasterConfig& config) {
         spawn(context.get_executor(), "renewal", keep_valid(*identity.value(), renewal, stopping));
     }
     StopSignals signals(context.get_executor(), [&](unsigned) {
+        notify_service("STOPPING=1");
         stopping = true;
         renewal.cancel();
         retention.cancel();
@@ -212,6 +214,7 @@ Status run_master(const MasterConfig& config) {
     }
     std::printf("%s\n", join_line({config.listen.host, port}, secured).c_str());
     std::fflush(stdout);
+    notify_service("READY=1");
 
     while (!stopping) {
         context.run_one();

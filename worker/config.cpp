@@ -3,6 +3,7 @@
 #include "common/core/build_info.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/host/memory_limit.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
@@ -116,9 +117,12 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                           "Port on which other workers fetch geometry; 0: the system chooses one"),
            "PORT")
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+    option(app.add_option("--log-level", config.log.level, "Least severe level that is logged"),
            "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--log-format", config.log.format, "Form of log lines"), "FORMAT")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     option(app.add_option("--connect-for",
                           texts.connect_for,
@@ -210,6 +214,10 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     app.set_help_flag("-h,--help", "Print this text");
     add_options(app, config, texts);
     const CLI::App* join = add_join(app, texts);
+    if (words == std::vector<std::string>{"--man"}) {
+        return {
+            std::nullopt, man_page(app, 8, "runs the collision tests that a master assigns"), 0};
+    }
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

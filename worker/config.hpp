@@ -1,6 +1,7 @@
 // The options of cdworker, from the command line, CDWORKER_* variables and a TOML file.
 #pragma once
 
+#include "common/core/host/log_style.hpp"
 #include "common/core/result.hpp"
 #include "common/core/timing/worker.hpp"
 #include "proto/access/join_token.hpp"
@@ -24,7 +25,7 @@ struct WorkerConfig {
     bool insecure = false;         ///< Allows plain TCP with other hosts.
     bool no_peers = false;         ///< Serves no geometry to other workers.
     std::uint16_t peer_port = 0;   ///< Port for other workers; 0: the system chooses.
-    std::string log_level = "info";
+    LogOptions log;
     std::chrono::seconds connect_for{30}; ///< Time limit for the first connection.
     std::chrono::seconds drain_timeout = timing::drain_timeout;
     std::filesystem::path state;   ///< Folder of the credential file.

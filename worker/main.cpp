@@ -1,5 +1,5 @@
 // cdworker: runs the collision tests that a master assigns.
-#include "common/core/host/log.hpp"
+#include "common/core/host/log_style.hpp"
 #include "worker/config.hpp"
 #include "worker/run_worker.hpp"
 
@@ -11,6 +11,6 @@ int main(int count, char** arguments) {
         std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
         return line.exit_code;
     }
-    cd::start_logging("cdworker", line.config->log_level);
+    cd::start_logging("cdworker", line.config->log);
     return line.config->join ? cd::join_as_worker(*line.config) : cd::run_worker(*line.config);
 }

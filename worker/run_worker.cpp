@@ -1,6 +1,7 @@
 #include "worker/run_worker.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/host/service_notice.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/worker.hpp"
@@ -143,13 +144,13 @@ class Daemon {
         const auto left = patience_.refused(std::chrono::steady_clock::now());
         if (left <= std::chrono::steady_clock::duration::zero()) {
             log_error(
-                "refused: {}; if the clocks of both hosts are right, join again: cdworker join "
-                "MASTER --token TOKEN",
+                "refused: error=\"{}\" remedy=\"if the clocks of both hosts are right, join again: "
+                "cdworker join MASTER --token TOKEN\"",
                 why);
             return false;
         }
-        log_error("refused, retrying for {} s: {}; are the clocks of both hosts right, and the "
-                  "certificates valid?",
+        log_error("refused, retrying for a time: seconds={} error=\"{}\" remedy=\"check that the "
+                  "clocks of both hosts are right and the certificates valid\"",
                   std::chrono::ceil<std::chrono::seconds>(left).count(),
                   why);
         return true;
@@ -178,10 +179,11 @@ class Daemon {
             log_warning("ended at once by a second signal");
             std::_Exit(exit_at_once);
         }
+        notify_service("STOPPING=1");
         if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
             pause_.skip(); // Reconnects at once, to drain over the new connection.
         } else {
-            log_info("ended: no work remained, scenarios_computed={}",
+            log_info("ended, no work remained: scenarios_computed={}",
                      membership_.scenarios_computed());
             context_.stop();
         }
@@ -237,7 +239,7 @@ int join_as_worker(const WorkerConfig& config) {
     // Checks the file first: a join spends a use of the token even if the file cannot be written.
     const std::filesystem::path path = credential_path(config.state, config.master);
     if (const Status can_write = check_can_write(path); !can_write) {
-        log_error("not joined: {}", can_write.error().detail);
+        log_error("not joined: error=\"{}\"", can_write.error().detail);
         return exit_code_of(can_write.error());
     }
     asio::io_context context(1);
@@ -251,7 +253,7 @@ int join_as_worker(const WorkerConfig& config) {
     const Status done =
         *credential ? write_credential(path, credential->value()) : Status(credential->error());
     if (!done) {
-        log_error("not joined: {}", done.error().detail);
+        log_error("not joined: error=\"{}\"", done.error().detail);
         return exit_code_of(done.error());
     }
     log_info("joined: master={} credential={}", config.master.host, path.string());
@@ -263,18 +265,18 @@ int run_worker(const WorkerConfig& config) {
     auto keeper = CredentialKeeper::open(
         context.get_executor(), credential_path(config.state, config.master), config.master);
     if (!keeper) {
-        log_error("no credential: {}", keeper.error().detail);
+        log_error("no credential: error=\"{}\"", keeper.error().detail);
         return keeper.error().code == ErrorCode::Refused ? exit_refused : exit_usage;
     }
     const Exposure exposure{keeper.value()->is_secured(), config.insecure, false};
     if (const Status allowed = check_exposure(config.master, exposure); !allowed) {
-        log_error("refused: {}", allowed.error().detail);
+        log_error("refused: error=\"{}\"", allowed.error().detail);
         return exit_refused;
     }
     const Status simd =
         config.simd.empty() ? check_simd_environment() : force_simd_target(config.simd);
     if (!simd) {
-        log_error("wrong usage: {}", simd.error().detail);
+        log_error("wrong usage: error=\"{}\"", simd.error().detail);
         return exit_usage;
     }
     log_info("SIMD instructions chosen: simd={}", to_text(simd_target()));

@@ -4,7 +4,9 @@
 #include "client/cli/cli_help.hpp"
 #include "client/cli/cli_mistakes.hpp"
 #include "client/cli/cli_options.hpp"
+#include "client/cli/completion.hpp"
 #include "common/core/build_info.hpp"
+#include "common/core/host/man_page.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -12,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -221,6 +224,11 @@ class Verbs {
         auto version = add<VersionCommand>("version", version_help);
         add_output(*version, version->output, {"text", "json"});
 
+        auto completion = add<CompletionCommand>("completion", completion_help);
+        completion.add("shell", completion->shell, "SHELL", "The shell")
+            ->required()
+            ->check(one_of({"bash", "zsh", "fish"}));
+
         auto remove = add<RemoveCommand>("rm", remove_help);
         remove
             .add("what",
@@ -357,6 +365,14 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     verbs.add_view_verb();
     verbs.add_cluster_verbs();
     verbs.add_identity_verbs();
+    if (arguments.front() == "--man") {
+        return {std::nullopt,
+                man_page(app, 1, "finds every contact of two triangle meshes"),
+                exit_done};
+    }
+    if (arguments.front() == "complete") {
+        return {complete_words(app, std::span(arguments).subspan(1)), "", exit_done};
+    }
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {

@@ -251,6 +251,18 @@ struct VersionCommand {
     std::string output = "text"; ///< text, json
 };
 
+struct CompletionCommand {
+    std::string shell; ///< bash, zsh, fish
+};
+
+/// Prints words with which a command line can go on; a shell asks for them.
+struct CompleteCommand {
+    std::vector<std::string> words;
+    bool has_files = false;               ///< The word may also be a file or folder.
+    std::optional<std::string> job_begin; ///< Set: the word may also be a job that begins so.
+    MasterOptions master;                 ///< As the line names it; empty: not named.
+};
+
 using Command = std::variant<RunCommand,
                              CheckCommand,
                              DemoCommand,
@@ -271,7 +283,9 @@ using Command = std::variant<RunCommand,
                              JoinCommand,
                              TokenCommand,
                              InspectCommand,
-                             VersionCommand>;
+                             VersionCommand,
+                             CompletionCommand,
+                             CompleteCommand>;
 
 /// What to do: run `command`. Without a command, print `text` (help on stdout, a usage error on
 /// stderr) and exit with `exit_code`.

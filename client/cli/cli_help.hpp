@@ -180,6 +180,13 @@ inline constexpr const char* version_help =
 Examples:
   cdctl version -o json)";
 
+inline constexpr const char* completion_help =
+    R"(Prints a script that completes verbs, options, files and job ids in a shell.
+Examples:
+  source <(cdctl completion bash)           in ~/.bashrc
+  source <(cdctl completion zsh)            in ~/.zshrc, after compinit
+  cdctl completion fish | source            in ~/.config/fish/config.fish)";
+
 inline constexpr const char* remove_help =
     R"(Removes jobs, with results, poses and meshes that no other job uses, or single meshes.
 Examples:

@@ -119,7 +119,7 @@ CLI::Validator is_unit() {
 
 void add_job_options(CLI::App& verb, JobOptions& job) {
     const auto add = option_adder(verb);
-    add("job", job.file, "JOB", "A job file (job.toml)");
+    add("job", job.file, "FILE", "A job file (job.toml), or a results folder");
     add_inputs(verb, job);
     add_query(verb, job);
     verb.option_defaults()->group(results_group);
@@ -243,9 +243,9 @@ void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on) {
                                                   {"new", DiffFailOn::New}};
     add("--fail-on",
         fail_on,
-        "any|new",
+        "WHAT",
         "Exit with 1 on any difference in contacts, or only on new groups")
-        ->transform(CLI::CheckedTransformer(words).description(""));
+        ->transform(CLI::CheckedTransformer(words).description("{any,new}"));
 }
 
 void add_judge(CLI::App& verb, JudgeOptions& judge) {
@@ -257,17 +257,18 @@ void add_judge(CLI::App& verb, JudgeOptions& judge) {
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage) {
     const auto add = option_adder(verb);
     std::map<std::string, PairStage> words;
+    std::string list;
     for (std::size_t i = 0; i < pair_stage_count; ++i) {
         std::string word(to_text(static_cast<PairStage>(i)));
         std::replace(word.begin(), word.end(), ' ', '-');
+        list += (list.empty() ? "{" : ",") + word;
         words.emplace(std::move(word), static_cast<PairStage>(i));
     }
     add("--first-stage",
         first_stage,
         "STAGE",
-        "Skip the cheaper stages of the triangle decision: float (default), double, "
-        "lattice, double-double, wide-integer, arbitrary; same answers, more slowly")
-        ->transform(CLI::CheckedTransformer(words).description(""));
+        "Skip the cheaper stages of the triangle decision; same answers, more slowly")
+        ->transform(CLI::CheckedTransformer(words).description(list + "}"));
 }
 
 } // namespace cd

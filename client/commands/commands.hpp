@@ -29,6 +29,8 @@ namespace cd {
 [[nodiscard]] Result<int> perform(const TokenCommand& command);
 [[nodiscard]] Result<int> perform(const InspectCommand& command);
 [[nodiscard]] Result<int> perform(const VersionCommand& command);
+[[nodiscard]] Result<int> perform(const CompletionCommand& command);
+[[nodiscard]] Result<int> perform(const CompleteCommand& command);
 
 /// Prints an error as one line on stderr and returns its exit code.
 [[nodiscard]] int fail(const Error& error);

@@ -53,6 +53,7 @@ TEST(MasterConfig, WhatIsWrongIsNamed) {
     };
     expect_error(parse({"--listen", "nowhere"}), "--listen");
     expect_error(parse({"--log-level", "loud"}), "log-level");
+    expect_error(parse({"--log-format", "xml"}), "log-format");
     expect_error(parse({"--threads", "many"}), "threads");
     expect_error(parse({"--no-such-option"}), "no-such-option");
     expect_error(parse({"--config", "/no/such/file.toml"}), "file.toml");

@@ -80,7 +80,7 @@ TEST(WorkerConfig, OptionsAreRead) {
     EXPECT_EQ(line.config->name, "n");
     EXPECT_EQ(line.config->simd, "avx2");
     EXPECT_TRUE(line.config->insecure);
-    EXPECT_EQ(line.config->log_level, "debug");
+    EXPECT_EQ(line.config->log.level, "debug");
     EXPECT_EQ(line.config->connect_for, std::chrono::seconds(7));
     EXPECT_EQ(line.config->drain_timeout, std::chrono::seconds(9));
 }

@@ -1,6 +1,7 @@
 #include "worker/membership/membership.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/host/service_notice.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/wire.hpp"
@@ -47,6 +48,7 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
              welcome.id,
              executor_.threads(),
              keep_->cache.bytes_max());
+    notify_service("READY=1");
     is_connected_ = true;
     const auto since = std::chrono::steady_clock::now();
     SessionEnd how = SessionEnd::Lost;

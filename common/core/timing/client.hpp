@@ -25,6 +25,8 @@ inline constexpr std::chrono::seconds record_flush_period{5};
 // A master.
 /// cdctl waits this long for an answer that costs the master no work.
 inline constexpr std::chrono::seconds answer_timeout{30};
+/// While someone types a command line, cdctl asks the master for job ids for at most this time.
+inline constexpr std::chrono::milliseconds completion_max{300};
 /// cdctl waits this long for the master to store a mesh or to accept a job.
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600};
 /// `cdctl watch` asks for the cluster's status once the job's status is unchanged for this long.
