@@ -34,7 +34,6 @@ cd::Query engine_query(const Query& asked, const cd::Mesh& a, const cd::Mesh& b)
         throw Error(ErrorCode::BadInput,
                     std::string(conflict->key) + ": " + std::string(conflict->reason));
     }
-    check(cd::check_maps(query));
     if (const char* const problem = cd::query_problem(query)) {
         throw Error(ErrorCode::BadInput, problem);
     }

@@ -108,7 +108,7 @@ Status apply(const QueryOptions& options, Query& query) {
     if (const auto conflict = conflict_in(query)) {
         return usage(std::string(conflict->reason));
     }
-    return check_maps(query);
+    return Done{};
 }
 
 Status apply(const OutputOptions& options, OutputSpec& output) {

@@ -1,12 +1,26 @@
 #include "client/spec/query_spec.hpp"
 
-#include "common/core/errors.hpp"
-
 namespace cd {
 
 namespace {
 
 constexpr std::string_view distance_word = asked_levels.back();
+
+/// Below level pairs, results list no pairs that a limit could cut; at level any, a search finds no
+/// triangles that maps could count.
+std::optional<QueryConflict> conflict_with_level(const Query& query) {
+    if (query.limit_pairs != 0 && query.level < Level::Pairs) {
+        return QueryConflict{"limit_pairs",
+                             "limit_pairs cuts the lists of level pairs and above; set one of "
+                             "these levels, or leave out limit_pairs"};
+    }
+    if (query.maps && query.level == Level::Any) {
+        return QueryConflict{"maps",
+                             "maps need level count, pairs or contacts, since level any finds no "
+                             "triangles; set another level, or leave out maps"};
+    }
+    return std::nullopt;
+}
 
 std::optional<QueryConflict> conflict_of_shots(const Query& query) {
     if (query.level != Level::Count && query.level != Level::Pairs) {
@@ -24,7 +38,7 @@ std::optional<QueryConflict> conflict_of_shots(const Query& query) {
                              "up_to belongs to level distance, which lines of [shots] do not have; "
                              "leave out up_to"};
     }
-    return std::nullopt;
+    return conflict_with_level(query);
 }
 
 std::optional<QueryConflict> conflict_of_motion(const Query& query) {
@@ -44,7 +58,7 @@ std::optional<QueryConflict> conflict_of_motion(const Query& query) {
                              "a motion has the contacts of one instant alone, which maps do not "
                              "count; leave out maps, or leave out [motion]"};
     }
-    return std::nullopt;
+    return conflict_with_level(query);
 }
 
 } // namespace
@@ -76,11 +90,10 @@ std::optional<QueryConflict> conflict_in(const Query& query) {
         return conflict_of_motion(query);
     }
     if (query.question != Question::Distance) {
-        return query.up_to ? std::optional(QueryConflict{
-                                 "up_to",
-                                 "up_to belongs to level distance; set that level, or leave out "
-                                 "up_to"})
-                           : std::nullopt;
+        return query.up_to ? QueryConflict{"up_to",
+                                           "up_to belongs to level distance; set that level, or "
+                                           "leave out up_to"}
+                           : conflict_with_level(query);
     }
     if (query.clearance) {
         return QueryConflict{"clearance",
@@ -98,14 +111,6 @@ std::optional<QueryConflict> conflict_in(const Query& query) {
                              "maps, or set another level"};
     }
     return std::nullopt;
-}
-
-Status check_maps(const Query& query) {
-    if (query.maps && query.level == Level::Any) {
-        return bad_input("maps need level count, pairs or contacts, since level any finds no "
-                         "triangles; set another level, or leave out maps");
-    }
-    return Done{};
 }
 
 } // namespace cd

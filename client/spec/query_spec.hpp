@@ -1,7 +1,6 @@
 // What users write to ask a question.
 #pragma once
 
-#include "common/core/result.hpp"
 #include "common/job/query.hpp"
 
 #include <array>
@@ -39,10 +38,8 @@ struct QueryConflict {
 
 /// Returns the first key that the query may not have: clearance, limit_pairs and maps of a
 /// distance, another level than count and pairs and a clearance of shots, another level than any
-/// and pairs and maps of motions, and up_to of anything but a distance.
+/// and pairs and maps of motions, up_to of anything but a distance, limit_pairs below level pairs,
+/// and maps at level any.
 [[nodiscard]] std::optional<QueryConflict> conflict_in(const Query& query);
-
-/// Refuses maps at `level any`. Errors: BadInput.
-[[nodiscard]] Status check_maps(const Query& query);
 
 } // namespace cd

@@ -78,6 +78,27 @@ TEST(AskedLevel, KeysThatDoNotGoWithADistanceAreRefusedInTheirLine) {
     EXPECT_EQ(problem_with(distance + "maps = false\nlimit_pairs = 0\n"), "none");
 }
 
+TEST(AskedLevel, KeysThatNeedAHigherLevelAreRefusedInTheirLine) {
+    for (const char* level : {"any", "count"}) {
+        EXPECT_THAT(problem_with("level = \"" + std::string(level) + "\"\nlimit_pairs = 5\n"),
+                    HasSubstr("folder/job.toml:9: [query]: limit_pairs cuts the lists of level "
+                              "pairs and above"));
+    }
+    EXPECT_THAT(problem_with("maps = true\nlevel = \"any\"\n"),
+                HasSubstr("folder/job.toml:8: [query]: maps need level count"));
+    EXPECT_EQ(problem_with("level = \"any\"\nlimit_pairs = 0\nmaps = false\n"), "none");
+    EXPECT_EQ(problem_with("level = \"contacts\"\nlimit_pairs = 5\nmaps = true\n"), "none");
+    EXPECT_EQ(problem_with("level = \"count\"\nmaps = true\n"), "none");
+    const TemporaryFolder folder;
+    JobOptions options;
+    options.file = (folder / "job.toml").string();
+    write_text(options.file, job_with("maps = true\nlimit_pairs = 5\n"));
+    options.query.level = "any";
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("leave out limit_pairs"));
+    options.query.limit_pairs = 0;
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("leave out maps"));
+}
+
 TEST(AskedLevel, AnUpToBelongsToTheDistance) {
     for (const char* level : {"any", "count", "pairs", "contacts"}) {
         EXPECT_THAT(problem_with("up_to = 1\nlevel = \"" + std::string(level) + "\"\n"),
