@@ -23,6 +23,7 @@ struct Job::State {
 
 namespace {
 
+/// Returns the numbers of triangles of A and of B. Scenes, which may have more, have no maps.
 std::array<std::size_t, 2>
 triangles_of(const std::vector<std::shared_ptr<const cd::Mesh>>& meshes) {
     return {meshes.at(0)->triangles().size(), meshes.at(1)->triangles().size()};
@@ -79,7 +80,7 @@ class JobRun {
     /// Passes all results on and keeps none.
     Results run(const std::function<void(Results&&)>& each_window) {
         ResultArrays results(each_window, names_of(cd::export_context(job_)));
-        if (job_.query.maps) {
+        if (job_.query.maps && !job_.scene) { // Results of many bodies have no map.
             results.count_maps();
         }
         const cd::RunOutcome outcome = value_of(run_all({}, [&](const cd::DoneBlock& block) {

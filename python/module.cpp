@@ -281,15 +281,16 @@ void raise_error(const Error& error, const py::object& input_error) {
 
 PYBIND11_MODULE(_native, module) {
     using namespace cdcluster;
-    static const py::object input_error =
-        py::exception<Error>(module, "InputError", PyExc_ValueError);
+    // It is never destroyed, since Python's memory is gone when the process ends.
+    static const auto* const input_error =
+        new py::exception<Error>(module, "InputError", PyExc_ValueError);
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) {
                 std::rethrow_exception(thrown);
             }
         } catch (const Error& error) {
-            raise_error(error, input_error);
+            raise_error(error, *input_error);
         }
     });
     py::enum_<PoseForm>(module, "PoseForm")

@@ -170,6 +170,12 @@ TEST_F(LibraryJob, NamesBodiesAndStepsOfAScene) {
     }
 }
 
+TEST_F(LibraryJob, HasNoMapsOfAScene) {
+    const auto results = cdcluster::run(job(jobs.at("scene") + "maps = true\n"));
+    EXPECT_TRUE(results.map_a.empty() && results.map_b.empty());
+    EXPECT_GT(results.size(), 0u);
+}
+
 TEST_F(LibraryJob, RefusesWrongJobsWithLineAndKey) {
     const auto error_of = [&](const std::string& text) -> std::string {
         try {
