@@ -11,7 +11,8 @@ namespace cd {
 
 /// The paper's "parallel OBB tree". Slots are empty until filled. A scenario holds the subtrees
 /// that it uses by shared pointers, so a slot may be emptied while the scenario runs. The upper
-/// tree may arrive after subtrees: a worker that receives the colliding roots needs no upper tree.
+/// tree may arrive after subtrees: a worker that receives the colliding roots needs no upper tree
+/// unless it looks twice (`common/job/distance_looks.hpp`).
 class PartialObbTree {
   public:
     explicit PartialObbTree(std::uint32_t root_count) : slots_(root_count) {}
