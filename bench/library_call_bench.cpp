@@ -1,5 +1,4 @@
-// Measures what the C++ library costs beside the engine: calls with one pose each, and one call
-// with many poses.
+// Measures what a call of the C++ library with one pose costs beside the engine.
 //
 //   library_call_bench MESH_A [MESH_B] [--unit-a 1] [--poses FILE | --random 50] [--rounds 5]
 //

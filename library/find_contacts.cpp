@@ -15,7 +15,7 @@ namespace cdcluster {
 
 namespace {
 
-/// Work of this length runs on the calling thread: starting threads costs a tenth of it.
+/// A call works alone for this long before it starts threads.
 constexpr auto alone_for = std::chrono::milliseconds(1);
 
 /// Returns the engine's query. Throws BadInput for what does not go together.
@@ -94,9 +94,9 @@ Results find(const Mesh& a,
              const std::function<void(Results&&)>& each_window) {
     CallClock clock(asked.progress);
     BorrowedPoses rows(poses);
-    const TreeNeeds needs{rows.count() >= cd::limits::run_points_scenarios_min};
+    const bool wants_points = rows.count() >= cd::limits::run_points_scenarios_min;
     const std::shared_ptr<PairSearch> search =
-        search_of(a, b, engine_query(asked, mesh_of(a), mesh_of(b)), needs, asked.threads);
+        search_of(a, b, engine_query(asked, mesh_of(a), mesh_of(b)), wants_points, asked.threads);
     ResultArrays results(each_window, {"a", "b"});
     if (asked.maps) {
         results.count_maps();

@@ -39,7 +39,7 @@ std::shared_ptr<Mesh::State> state_with(cd::Mesh mesh) {
 
 /// Makes the trees of both meshes in the forms that a question about them needs.
 std::pair<std::shared_ptr<const cd::ObbTree>, std::shared_ptr<const cd::ObbTree>>
-trees_of(Mesh::State& a, Mesh::State& b, TreeNeeds needs, unsigned threads) {
+trees_of(Mesh::State& a, Mesh::State& b, bool wants_points, unsigned threads) {
     std::unique_lock lock_a(a.mutex, std::defer_lock);
     std::unique_lock lock_b(b.mutex, std::defer_lock);
     if (&a == &b) {
@@ -56,7 +56,7 @@ trees_of(Mesh::State& a, Mesh::State& b, TreeNeeds needs, unsigned threads) {
         if (!trees->has_wide()) {
             trees->need_wide(no_cache, with_pool());
         }
-        if (needs.points && !trees->has_points()) {
+        if (wants_points && !trees->has_points()) {
             trees->need_points(true, no_cache, with_pool());
         }
     }
@@ -80,7 +80,7 @@ const cd::Mesh& mesh_of(const Mesh& mesh) {
 std::shared_ptr<PairSearch> search_of(const Mesh& mesh_a,
                                       const Mesh& mesh_b,
                                       const cd::Query& query,
-                                      TreeNeeds needs,
+                                      bool wants_points,
                                       unsigned threads) {
     Mesh::State& a = state_of(mesh_a);
     Mesh::State& b = state_of(mesh_b);
@@ -88,14 +88,14 @@ std::shared_ptr<PairSearch> search_of(const Mesh& mesh_a,
         const std::lock_guard lock(a.mutex);
         const auto known = std::ranges::find_if(a.searches, [&](const auto& search) {
             return search->is_of(*a.mesh, *b.mesh, query) &&
-                   (search->has_points() || !needs.points);
+                   (search->has_points() || !wants_points);
         });
         if (known != a.searches.end()) {
             std::rotate(a.searches.begin(), known, known + 1);
             return a.searches.front();
         }
     }
-    auto [tree_a, tree_b] = trees_of(a, b, needs, threads);
+    auto [tree_a, tree_b] = trees_of(a, b, wants_points, threads);
     auto made = std::make_shared<PairSearch>(std::move(tree_a), std::move(tree_b), query);
     const std::lock_guard lock(a.mutex);
     std::erase_if(a.searches,

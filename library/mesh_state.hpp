@@ -12,11 +12,6 @@
 
 namespace cdcluster {
 
-/// Which trees a question needs.
-struct TreeNeeds {
-    bool points = false; ///< Many poses follow, so that support points pay.
-};
-
 struct Mesh::State {
     explicit State(std::shared_ptr<const cd::Mesh> from) : mesh(std::move(from)), trees(mesh) {}
 
@@ -30,8 +25,8 @@ struct Mesh::State {
 [[nodiscard]] const cd::Mesh& mesh_of(const Mesh& mesh);
 
 /// Returns the search of two meshes for a query, which is new unless A keeps it. Builds the trees
-/// that are missing.
-[[nodiscard]] std::shared_ptr<PairSearch>
-search_of(const Mesh& a, const Mesh& b, const cd::Query& query, TreeNeeds needs, unsigned threads);
+/// that are missing, with support points if they are wanted (many poses follow).
+[[nodiscard]] std::shared_ptr<PairSearch> search_of(
+    const Mesh& a, const Mesh& b, const cd::Query& query, bool wants_points, unsigned threads);
 
 } // namespace cdcluster

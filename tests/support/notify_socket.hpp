@@ -1,4 +1,4 @@
-// A datagram socket of a test, in place of the service manager's.
+// A datagram socket that receives what a daemon tells the service manager (NOTIFY_SOCKET).
 #pragma once
 
 #include <gtest/gtest.h>

@@ -129,7 +129,7 @@ TEST(BoxTest, BoxesAreAtLeastAsFarApartAsTheLeastDistance) {
         const ObbNode a = random_node(random, 1.0);
         const ObbNode b = random_node(random, 1.0);
         PosePair poses{make_pose(random, 1.0), make_pose(random, 1.0)};
-        // A corner or a point of an edge or a face of B comes to a point of A.
+        // Moves B so that a point of its surface coincides with a point of A.
         const auto point = [&](const ObbNode& box) {
             Vec3 at = center_point(box);
             for (std::size_t axis = 0; axis < 3; ++axis) {

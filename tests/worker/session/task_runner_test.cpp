@@ -1,5 +1,6 @@
 // Proves that a session answers each scenario of its tasks once or returns it, begins nothing while
-// it may not, and ends each task after its results. Proves that distances wait for subtrees twice.
+// it may not, and ends each task after its results. Proves that a scenario that asks
+// for the distance fetches subtrees in two steps.
 #include "worker/session/task_runner.hpp"
 
 #include "tests/worker/session/parts.hpp"

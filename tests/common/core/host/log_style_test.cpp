@@ -36,7 +36,7 @@ TEST(JsonMembers, FieldsAreKeys) {
 }
 
 TEST(JsonMembers, OnlyNumbersOfTheProgramAreNumbers) {
-    // A name of digits stays text, and so does what JSON has no number for.
+    // Text that looks like a number stays text; so do infinity and NaN, which JSON lacks.
     EXPECT_EQ(members("a: name={} x={}", "17", 17), R"("event":"a","name":"17","x":17)");
     EXPECT_EQ(members("a: x={} y={} z={}", -1.5, 1e300, 0),
               R"("event":"a","x":-1.5,"y":1e+300,"z":0)");
