@@ -26,7 +26,7 @@ def page(title, machine, sections):
     command, commit, date = (facts.get(what, "unknown") for what in ORIGIN)
     where = "; ".join(f"{row['what']} {row['value']}" for row in machine if row["what"] not in ORIGIN)
     return "\n".join([f"# {title}\n",
-                      f"Made by `{command}` at commit {commit} on {date}; README.md says what columns mean.",
+                      f"Made by `{command}` at commit {commit} on {date}; README.md says what columns mean. "
                       f"Machine: {where}.\n", *(section for section in sections if section)])
 
 
