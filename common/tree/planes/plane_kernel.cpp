@@ -41,231 +41,40 @@
 #include "common/tree/planes/support_view.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/tree/planes/plane_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Everything below is compiled for every target.
+#include "common/tree/planes/plane_supports-inl.hpp"
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Lanes = hn::CappedTag<float, 16>;
-using Wide = hn::Vec<Lanes>;
-using Doubles = hn::CappedTag<double, 8>;
-using Rounded = hn::Rebind<float, Doubles>;
-
-/// A point and how far it is along a direction.
-struct Support {
-    float reach;
-    float point[3];
-};
-
-HWY_INLINE float dot(const float* x, const float* y) {
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+/// Returns by how much a gap between two nodes must be exceeded. 1.002 covers (6), and the other
+/// factor the length of n and the roundings of this sum.
+HWY_INLINE float needed_gap(const PlanePose& pose,
+                            const PlaneBody& a,
+                            std::uint32_t node_a,
+                            const PlaneBody& b,
+                            std::uint32_t node_b) {
+    return 1.00001F * (a.sets[node_a].eps + 1.002F * b.sets[node_b].eps + pose.margin + pose.reach);
 }
 
-/// The farthest point of each lane so far.
-template <class D>
-struct Farthest {
-    hn::Vec<D> reach;
-    hn::Vec<hn::RebindToSigned<D>> number; ///< Less its lane.
-};
-
-template <class D>
-HWY_INLINE Farthest<D> none(D d) {
-    return {hn::Set(d, -std::numeric_limits<float>::infinity()), hn::Zero(hn::RebindToSigned<D>())};
-}
-
-/// The index of a point and how far it is along a direction.
-struct Found {
-    std::uint32_t number;
-    float reach;
-};
-
-template <class D>
-HWY_INLINE hn::Vec<D> reach_of(D d, const hn::Vec<D>* point, const float* direction) {
-    return hn::MulAdd(point[0],
-                      hn::Set(d, direction[0]),
-                      hn::MulAdd(point[1],
-                                 hn::Set(d, direction[1]),
-                                 hn::Mul(point[2], hn::Set(d, direction[2]))));
-}
-
-template <class D>
-HWY_INLINE void add(D, hn::Vec<D> reach, std::uint32_t first, Farthest<D>& best) {
-    const hn::RebindToSigned<D> di;
-    const auto is_farther = hn::Gt(reach, best.reach);
-    best.reach = hn::IfThenElse(is_farther, reach, best.reach);
-    best.number = hn::IfThenElse(
-        hn::RebindMask(di, is_farther), hn::Set(di, static_cast<std::int32_t>(first)), best.number);
-}
-
-/// Returns the farthest point of all lanes.
-template <class D>
-HWY_INLINE Found found_in(D d, const Farthest<D>& best) {
-    const hn::RebindToSigned<D> di;
-    const auto most = hn::MaxOfLanes(d, best.reach);
-    const auto lane = hn::FindFirstTrue(d, hn::Eq(best.reach, most));
-    alignas(64) std::int32_t numbers[hn::MaxLanes(di)];
-    hn::Store(best.number, di, numbers);
-    const auto number =
-        lane < 0 ? 0 : static_cast<std::uint32_t>(numbers[lane]) + static_cast<std::uint32_t>(lane);
-    return {number, hn::GetLane(most)};
-}
-
-HWY_INLINE Found farthest_of(const float* columns, std::uint32_t count, const float* direction) {
-    const Lanes d;
-    Farthest<Lanes> best = none(d);
-    for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        const Wide at[3] = {hn::LoadU(d, columns + i),
-                            hn::LoadU(d, columns + count + i),
-                            hn::LoadU(d, columns + 2 * std::size_t{count} + i)};
-        add(d, reach_of(d, at, direction), i, best);
-    }
-    return found_in(d, best);
-}
-
-/// Reads coordinates that follow each other as x, y, z, less the centre.
-HWY_INLINE void load(Lanes d, const float* from, const float* center, Wide* to) {
-    hn::LoadInterleaved3(d, from, to[0], to[1], to[2]);
+/// Sets `back` to -n in B's coordinates.
+HWY_INLINE void turn_back(const PlanePose& pose, const float* n, float* back) {
+    const float* r = pose.rotation.data();
     for (std::size_t k = 0; k < 3; ++k) {
-        to[k] = hn::Sub(to[k], hn::Set(d, center[k]));
+        back[k] = -(r[k] * n[0] + r[3 + k] * n[1] + r[6 + k] * n[2]);
     }
-}
-
-HWY_INLINE void load(Rounded d, const double* from, const float* center, hn::Vec<Rounded>* to) {
-    const Doubles dd;
-    hn::Vec<Doubles> at[3];
-    hn::LoadInterleaved3(dd, from, at[0], at[1], at[2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-        to[k] = hn::DemoteTo(d, hn::Sub(at[k], hn::Set(dd, static_cast<double>(center[k]))));
-    }
-}
-
-/// Returns the farthest of `count` vertices, which follow each other as x, y, z. At least the lanes
-/// of a vector can be read from each on.
-template <class D, class Number>
-HWY_INLINE Found farthest_vertex(
-    D d, const Number* vertices, std::uint32_t count, const float* center, const float* direction) {
-    Farthest<D> best = none(d);
-    for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        hn::Vec<D> at[3];
-        load(d, vertices + 3 * std::size_t{i}, center, at);
-        const auto reach = hn::IfThenElse(hn::FirstN(d, count - i),
-                                          reach_of(d, at, direction),
-                                          hn::Set(d, -std::numeric_limits<float>::infinity()));
-        add(d, reach, i, best);
-    }
-    return found_in(d, best);
-}
-
-HWY_INLINE float relative(double coordinate, float center) {
-    return static_cast<float>(coordinate - static_cast<double>(center));
-}
-
-/// Returns the farthest of a node's chosen points.
-HWY_INLINE Support support_of_chosen(const PlaneBody& body,
-                                     const SupportSet& set,
-                                     const float* direction) {
-    const std::uint32_t count = padded(set.count);
-    const float* columns = body.columns + 3 * std::size_t{set.first};
-    const Found found = farthest_of(columns, count, direction);
-    return {found.reach,
-            {columns[found.number],
-             columns[count + found.number],
-             columns[2 * std::size_t{count} + found.number]}};
-}
-
-template <class D, class Number>
-HWY_INLINE Support support_in(
-    D d, const Number* vertices, std::uint32_t count, const float* center, const float* direction) {
-    const Found found = farthest_vertex(d, vertices, count, center, direction);
-    const Number* at = vertices + 3 * std::size_t{found.number};
-    Support support;
-    support.reach = found.reach;
-    for (std::size_t k = 0; k < 3; ++k) {
-        support.point[k] = static_cast<float>(at[k] - static_cast<Number>(center[k]));
-    }
-    return support;
-}
-
-/// Returns the farthest of a node's vertices.
-HWY_INLINE Support support_of_vertices(const PlaneBody& body,
-                                       const SupportSet& set,
-                                       const float* direction) {
-    const std::size_t first = 3 * std::size_t{set.first};
-    const float* center = body.center.data();
-    return body.floats != nullptr
-               ? support_in(Lanes(), body.floats + first, set.count, center, direction)
-               : support_in(Rounded(), body.doubles + first, set.count, center, direction);
-}
-
-/// Bounds how far the children of a node are along a direction, from the node's boxes.
-HWY_INLINE void
-bound_children(const PlaneBody& body, const WideNode& node, const float* direction, float* bounds) {
-    const Lanes d;
-    const hn::Rebind<std::uint8_t, Lanes> bytes;
-    const hn::Rebind<std::int32_t, Lanes> whole;
-    float weights[3]; // Per step, along the node's axes.
-    const std::uint8_t* ends[3];
-    float start = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        weights[k] =
-            node.steps[k] * (node.columns[0][k] * direction[0] + node.columns[1][k] * direction[1] +
-                             node.columns[2][k] * direction[2]);
-        ends[k] = weights[k] > 0 ? node.high[k].data() : node.low[k].data();
-        start += relative(node.origin[k], body.center[k]) * direction[k];
-    }
-    for (std::size_t i = 0; i < wide_children_max; i += hn::Lanes(d)) {
-        Wide sum = hn::Set(d, start);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto end = hn::PromoteTo(whole, hn::LoadU(bytes, ends[k] + i));
-            sum = hn::MulAdd(hn::ConvertTo(d, end), hn::Set(d, weights[k]), sum);
-        }
-        hn::StoreU(sum, d, bounds + i);
-    }
-}
-
-/// Returns the farthest vertex of a node, whose children have all their vertices as points. Skips
-/// children whose boxes are nearer.
-HWY_INLINE Support support_of_children(const PlaneBody& body,
-                                       const WideNode& node,
-                                       const float* direction) {
-    float bounds[wide_children_max];
-    bound_children(body, node, direction, bounds);
-    Support best;
-    best.reach = -std::numeric_limits<float>::infinity();
-    for (;;) {
-        std::uint32_t next = 0;
-        for (std::uint32_t i = 1; i < node.count; ++i) {
-            next = bounds[i] > bounds[next] ? i : next;
-        }
-        if (!(bounds[next] > best.reach)) {
-            return best;
-        }
-        bounds[next] = -std::numeric_limits<float>::infinity();
-        const Support found = support_of_vertices(body, body.sets[node.first + next], direction);
-        if (found.reach > best.reach) {
-            best = found;
-        }
-    }
-}
-
-/// Returns the support point of a node.
-HWY_INLINE Support support_of(const PlaneBody& body, std::uint32_t node, const float* direction) {
-    const SupportSet& set = body.sets[node];
-    if (set.is_chosen) {
-        return support_of_chosen(body, set, direction);
-    }
-    return body.nodes[node].is_leaf ? support_of_vertices(body, set, direction)
-                                    : support_of_children(body, body.nodes[node], direction);
 }
 
 float part(const PlanePose& pose,
@@ -277,15 +86,11 @@ float part(const PlanePose& pose,
            float* n) {
     const float* r = pose.rotation.data();
     const float* s = pose.translation.data();
-    // 1.002 covers (6), and the other factor the length of n and the roundings of this sum.
-    const float needed =
-        1.00001F * (a.sets[node_a].eps + 1.002F * b.sets[node_b].eps + pose.margin + pose.reach);
+    const float needed = needed_gap(pose, a, node_a, b, node_b);
     for (std::uint32_t step = 1;; ++step) {
         const Support of_a = support_of(a, node_a, n);
-        const float m[3] = {r[0] * n[0] + r[3] * n[1] + r[6] * n[2],
-                            r[1] * n[0] + r[4] * n[1] + r[7] * n[2],
-                            r[2] * n[0] + r[5] * n[1] + r[8] * n[2]};
-        const float back[3] = {-m[0], -m[1], -m[2]};
+        float back[3];
+        turn_back(pose, n, back);
         const Support of_b = support_of(b, node_b, back);
         const float gap = (dot(n, s) - of_b.reach) - of_a.reach;
         if (gap > needed) {
@@ -314,6 +119,102 @@ float part(const PlanePose& pose,
     }
 }
 
+/// Nodes with one parent, or one node, and how far those that are wanted are along a direction.
+struct Siblings {
+    std::uint32_t first;
+    std::uint32_t wanted = 0; ///< A bit for each node, counted from `first`.
+    float reach[wide_children_max];
+};
+
+template <class Use>
+HWY_INLINE void each_wanted(const Siblings& siblings, Use use) {
+    for (std::uint32_t rest = siblings.wanted; rest != 0; rest &= rest - 1) {
+        use(static_cast<std::uint32_t>(std::countr_zero(rest)));
+    }
+}
+
+/// Finds the siblings among the nodes of pairs.
+template <class NodeOf>
+HWY_INLINE Siblings
+siblings_in(const WidePair* pairs, std::size_t count, NodeOf node_of, const SupportSet* sets) {
+    Siblings siblings{node_of(pairs[0]), 0, {}};
+    for (std::size_t i = 1; i < count; ++i) {
+        siblings.first = std::min(siblings.first, node_of(pairs[i]));
+    }
+    prefetch(sets + siblings.first, wide_children_max * sizeof(SupportSet));
+    for (std::size_t i = 0; i < count; ++i) {
+        siblings.wanted |= std::uint32_t{1} << (node_of(pairs[i]) - siblings.first);
+    }
+    return siblings;
+}
+
+HWY_INLINE void prefetch_points(const PlaneBody& body, const Siblings& siblings) {
+    each_wanted(siblings, [&](std::uint32_t i) {
+        const SupportSet& set = body.sets[siblings.first + i];
+        const std::size_t first = 3 * std::size_t{set.first};
+        if (set.is_chosen) {
+            prefetch(body.columns + first, 3 * padded(set.count) * sizeof(float));
+        } else if (body.floats != nullptr) {
+            prefetch(body.floats + first, 3 * std::size_t{set.count} * sizeof(float));
+        } else {
+            prefetch(body.doubles + first, 3 * std::size_t{set.count} * sizeof(double));
+        }
+    });
+}
+
+HWY_INLINE void find_reaches(const PlaneBody& body, const float* direction, Siblings& siblings) {
+    each_wanted(siblings, [&](std::uint32_t i) {
+        const std::uint32_t node = siblings.first + i;
+        const SupportSet& set = body.sets[node];
+        const std::size_t first = 3 * std::size_t{set.first};
+        if (set.is_chosen) {
+            siblings.reach[i] = reach_of_chosen(body.columns + first, padded(set.count), direction);
+        } else if (body.floats != nullptr) {
+            siblings.reach[i] = reach_of_vertices(
+                Lanes(), body.floats + first, set.count, body.center.data(), direction);
+        } else {
+            siblings.reach[i] = reach_of_vertices(
+                Rounded(), body.doubles + first, set.count, body.center.data(), direction);
+        }
+    });
+}
+
+/// Tries one normal on all pairs, then improved ones on each pair that it does not part, unless
+/// both nodes are leaves.
+void part_siblings(const PlanePose& pose,
+                   const PlaneBody& a,
+                   const PlaneBody& b,
+                   const WidePair* pairs,
+                   std::size_t count,
+                   std::uint32_t steps,
+                   const float* n,
+                   PlaneTrial* trials) {
+    Siblings of_a = siblings_in(
+        pairs, count, [](WidePair pair) { return pair.a; }, a.sets);
+    Siblings of_b = siblings_in(
+        pairs, count, [](WidePair pair) { return pair.b; }, b.sets);
+    prefetch_points(a, of_a);
+    prefetch_points(b, of_b);
+    float back[3];
+    turn_back(pose, n, back);
+    find_reaches(a, n, of_a);
+    find_reaches(b, back, of_b);
+    const float between = dot(n, pose.translation.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        const WidePair pair = pairs[i];
+        PlaneTrial& trial = trials[i];
+        trial.normal = {n[0], n[1], n[2]};
+        const float gap =
+            (between - of_b.reach[pair.b - of_b.first]) - of_a.reach[pair.a - of_a.first];
+        const float slack = gap - needed_gap(pose, a, pair.a, b, pair.b);
+        trial.is_apart = slack > 0;
+        const bool are_leaves = a.nodes[pair.a].is_leaf && b.nodes[pair.b].is_leaf;
+        if (!trial.is_apart && !are_leaves) {
+            trial.is_apart = part(pose, a, pair.a, b, pair.b, steps, trial.normal.data()) > 0;
+        }
+    }
+}
+
 std::uint32_t
 farthest(const float* columns, std::uint32_t count, const std::array<float, 3>& direction) {
     return farthest_of(columns, count, direction.data()).number;
@@ -330,6 +231,7 @@ HWY_AFTER_NAMESPACE();
 namespace cd {
 
 HWY_EXPORT(part);
+HWY_EXPORT(part_siblings);
 HWY_EXPORT(farthest);
 
 PlaneBody::PlaneBody(const WideView& tree)
@@ -389,6 +291,17 @@ float separate(const PlanePose& pose,
                std::uint32_t steps,
                PlaneNormal& normal) {
     return HWY_DYNAMIC_DISPATCH(part)(pose, a, node_a, b, node_b, steps, normal.data());
+}
+
+void separate_siblings(const PlanePose& pose,
+                       const PlaneBody& a,
+                       const PlaneBody& b,
+                       std::span<const WidePair> pairs,
+                       std::uint32_t steps,
+                       const PlaneNormal& normal,
+                       std::span<PlaneTrial> trials) {
+    HWY_DYNAMIC_DISPATCH(part_siblings)
+    (pose, a, b, pairs.data(), pairs.size(), steps, normal.data(), trials.data());
 }
 
 std::uint32_t

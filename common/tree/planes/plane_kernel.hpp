@@ -2,10 +2,12 @@
 #pragma once
 
 #include "common/geometry/pose.hpp"
+#include "common/tree/wide/pair_buckets.hpp"
 #include "common/tree/wide/wide_node.hpp"
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace cd {
 
@@ -57,6 +59,24 @@ using PlaneNormal = std::array<float, 3>;
                              std::uint32_t node_b,
                              std::uint32_t steps,
                              PlaneNormal& normal);
+
+/// What came of looking for a plane between two nodes.
+struct PlaneTrial {
+    PlaneNormal normal{}; ///< The last one that was tried or would be tried next.
+    bool is_apart = false;
+};
+
+/// Does what `separate` does for pairs of nodes of which one visit of a pair found all: first tries
+/// `normal` on all pairs, for which it looks for each node's farthest point once, then improved
+/// ones on each pair that is left, but not on pairs of leaves. Sets a trial for each pair. Not
+/// empty.
+void separate_siblings(const PlanePose& pose,
+                       const PlaneBody& a,
+                       const PlaneBody& b,
+                       std::span<const WidePair> pairs,
+                       std::uint32_t steps,
+                       const PlaneNormal& normal,
+                       std::span<PlaneTrial> trials);
 
 /// Returns the index of the point that is farthest along a direction. `columns` has `count` first
 /// coordinates, then as many second and third ones; `count` is a multiple of `support_padding`.

@@ -6,6 +6,8 @@ namespace {
 
 /// More steps part hardly more pairs than opening their nodes does.
 constexpr std::uint32_t plane_steps = 3;
+/// The same where one normal has been tried on all pairs of a visit.
+constexpr std::uint32_t sibling_steps = 2;
 
 /// Steps for the plane between whole bodies, which a search for the nearest pair makes once.
 constexpr std::uint32_t root_steps = 16;
@@ -17,12 +19,12 @@ constexpr std::uint32_t retry_period = 8;
 
 void PlaneStack::reset(const PlanePose& pose, const WideView& a, const WideView& b, bool is_near) {
     pose_ = pose;
-    if (!kept_) {
-        kept_.emplace();
-    }
     // Proofs hold for the trees that they were made for, and for no later ones at their addresses.
     const bool has_same_trees = a_ && a_->id == a.support.id && b_->id == b.support.id;
-    if (!is_near || !has_same_trees) {
+    uses_kept_ = is_near && has_same_trees;
+    if (!kept_ && uses_kept_) {
+        kept_.emplace();
+    } else if (kept_ && !uses_kept_) {
         kept_->forget();
     }
     a_.emplace(a);
@@ -31,7 +33,7 @@ void PlaneStack::reset(const PlanePose& pose, const WideView& a, const WideView&
 }
 
 void PlaneStack::push_roots() {
-    pairs_.push_back({{0, 0}, first_normal(pose_)});
+    pairs_.push_back({{0, 0}, first_normal(pose_), false});
 }
 
 PlaneNormal PlaneStack::root_normal() const {
@@ -44,6 +46,9 @@ PlaneNormal PlaneStack::root_normal() const {
 
 /// Tries to part a pair, unless that failed lately. Sets the pair's normal to the last one tried.
 bool PlaneStack::is_apart(Waiting& pair) {
+    if (!uses_kept_) {
+        return separate(pose_, *a_, pair.nodes.a, *b_, pair.nodes.b, plane_steps, pair.normal) > 0;
+    }
     const auto [kept, is_known] = kept_->of(pair.nodes);
     if (is_known) {
         pair.normal = kept.normal;
@@ -66,7 +71,7 @@ bool PlaneStack::is_apart(Waiting& pair) {
 }
 
 bool PlaneStack::parts(WidePair nodes, const PlaneNormal& normal) {
-    Waiting pair{nodes, normal};
+    Waiting pair{nodes, normal, false};
     return is_apart(pair);
 }
 
@@ -74,7 +79,7 @@ std::optional<WidePair> PlaneStack::next() {
     while (!pairs_.empty()) {
         Waiting pair = pairs_.back();
         pairs_.pop_back();
-        if (!is_apart(pair)) {
+        if (pair.is_tested || !is_apart(pair)) {
             normal_ = pair.normal;
             return pair.nodes;
         }
@@ -83,8 +88,18 @@ std::optional<WidePair> PlaneStack::next() {
 }
 
 void PlaneStack::push_children(std::span<const WidePair> pairs) {
-    for (const WidePair& pair : pairs) {
-        pairs_.push_back({pair, normal_});
+    if (uses_kept_) {
+        for (const WidePair& pair : pairs) {
+            pairs_.push_back({pair, normal_, false});
+        }
+    } else if (!pairs.empty()) {
+        trials_.resize(pairs.size());
+        separate_siblings(pose_, *a_, *b_, pairs, sibling_steps, normal_, trials_);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            if (!trials_[i].is_apart) {
+                pairs_.push_back({pairs[i], trials_[i].normal, true});
+            }
+        }
     }
 }
 

@@ -31,6 +31,8 @@ class PlaneStack {
     /// left.
     [[nodiscard]] std::optional<WidePair> next();
     /// Puts children of the pair that `next` returned last on the stack; the last one is next.
+    /// Leaves out those that planes part at once, unless the pose is near the last one: then what
+    /// is known of a pair is worth more than what its siblings share.
     void push_children(std::span<const WidePair> pairs);
     /// Takes a pair off the stack without looking at it. There is one.
     [[nodiscard]] WidePair pop();
@@ -41,6 +43,7 @@ class PlaneStack {
     struct Waiting {
         WidePair nodes;
         PlaneNormal normal;
+        bool is_tested; ///< No plane parts it.
     };
 
     [[nodiscard]] bool is_apart(Waiting& pair);
@@ -49,8 +52,10 @@ class PlaneStack {
     std::optional<PlaneBody> a_;
     std::optional<PlaneBody> b_;
     std::vector<Waiting> pairs_;
-    PlaneNormal normal_{}; ///< Of the pair that `next` returned last.
-    std::optional<KeptNormals> kept_;
+    PlaneNormal normal_{};            ///< Of the pair that `next` returned last.
+    std::optional<KeptNormals> kept_; ///< Of poses near each other; made for the first of them.
+    bool uses_kept_ = false;
+    std::vector<PlaneTrial> trials_;
 };
 
 } // namespace cd

@@ -251,20 +251,23 @@ void WideDescent::end_dive() {
     walk_.waiting_count = count;
 }
 
-/// Visits the next pair that no plane parts, alone.
+/// Takes the next pair that no plane parts, and visits it: leaves together with others.
 void WideDescent::part() {
     const std::optional<WidePair> pair = planes_.next();
     if (!pair) {
         return;
     }
-    const std::uint32_t visits_left = walk_.visits_left;
-    walk_.visits_left = 1;
-    walk_.waiting = waiting_.get();
     if (walk_.a.nodes[pair->a].is_leaf && walk_.b.nodes[pair->b].is_leaf) {
         walk_.leaves[walk_.leaf_count++] = *pair;
+        if (walk_.leaf_count < wide_batch_max && planes_.size() > 0) {
+            return;
+        }
     } else {
         waiting_[walk_.waiting_count++] = *pair;
     }
+    const std::uint32_t visits_left = walk_.visits_left;
+    walk_.visits_left = 1;
+    walk_.waiting = waiting_.get();
     walk_wide(pose_, walk_);
     planes_.push_children({waiting_.get(), walk_.waiting_count});
     walk_.waiting_count = 0;

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -199,6 +200,78 @@ TEST(PlaneBounds, EveryPlaneLeavesAGapInExactTerms) {
             EXPECT_EQ(part_all(category, raised(12), 1).wrong, 0u);
         }
     });
+}
+
+/// Returns all pairs of a node's children, or the node itself if it is a leaf, with another's.
+std::vector<WidePair> pairs_below(const WideView& a, const WideView& b) {
+    const auto below = [](const WideNode& root) {
+        return root.is_leaf ? std::pair(0u, 1u) : std::pair(root.first, root.first + root.count);
+    };
+    const auto [first_a, end_a] = below(a.nodes[0]);
+    const auto [first_b, end_b] = below(b.nodes[0]);
+    std::vector<WidePair> pairs;
+    for (std::uint32_t i = first_a; i < end_a; ++i) {
+        for (std::uint32_t k = first_b; k < end_b; ++k) {
+            pairs.push_back({i, k});
+        }
+    }
+    return pairs;
+}
+
+TEST(PlaneBounds, SiblingsArePartedTogetherAsEachPairAlone) {
+    constexpr std::uint32_t steps = 2;
+    std::size_t parted_at_once = 0;
+    std::size_t parted_later = 0;
+    std::size_t left = 0;
+    on_every_target([&](SimdTarget) {
+        for (std::size_t category = 0; category < touching_categories; ++category) {
+            SCOPED_TRACE(touching_category(category));
+            const auto compare = [&](const TouchingBodies& bodies,
+                                     const WideView& a,
+                                     const WideView& b,
+                                     const SeededRandom&) {
+                const auto plane_with = [&](double error_scale) {
+                    return plane_pose(
+                        relative_pose(bodies.poses), a.support, b.support, error_scale);
+                };
+                const PlanePose pose = plane_with(1);
+                const PlaneNormal first = first_normal(pose);
+                const PlaneBody body_a(a);
+                const PlaneBody body_b(b);
+                // `separate` may round a point's reach otherwise, by far less than a margin.
+                const auto parts = [&](WidePair pair, double error_scale) {
+                    PlaneNormal normal = first;
+                    return separate(
+                               plane_with(error_scale), body_a, pair.a, body_b, pair.b, 1, normal) >
+                           0;
+                };
+                const std::vector<WidePair> pairs = pairs_below(a, b);
+                std::vector<PlaneTrial> trials(pairs.size());
+                separate_siblings(pose, body_a, body_b, pairs, steps, first, trials);
+                for (std::size_t i = 0; i < pairs.size(); ++i) {
+                    const WidePair pair = pairs[i];
+                    if (parts(pair, 1.1)) {
+                        EXPECT_TRUE(trials[i].is_apart);
+                    } else if (!parts(pair, 0.9)) {
+                        const bool are_leaves = a.nodes[pair.a].is_leaf && b.nodes[pair.b].is_leaf;
+                        PlaneNormal normal = first;
+                        const bool expected =
+                            !are_leaves &&
+                            separate(pose, body_a, pair.a, body_b, pair.b, steps, normal) > 0;
+                        EXPECT_EQ(trials[i].is_apart, expected);
+                        EXPECT_EQ(trials[i].normal, normal);
+                        ++(expected ? parted_later : left);
+                        continue;
+                    }
+                    parted_at_once += trials[i].is_apart && trials[i].normal == first ? 1 : 0;
+                }
+            };
+            for_each_touching(category, raised(8), compare);
+        }
+    });
+    EXPECT_GT(parted_at_once, 1000u);
+    EXPECT_GT(parted_later, 100u);
+    EXPECT_GT(left, 1000u);
 }
 
 TEST(PlaneBounds, SmallerMarginsPartWhatTouches) {
