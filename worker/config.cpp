@@ -43,10 +43,13 @@ constexpr const char* help =
     "others and ends. After --drain-timeout it returns those that still run, too. A second\n"
     "signal ends it at once.\n"
     "\n"
-    "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused\n"
-    "by the master, or no credential; 130 ended at once by a second signal. If TLS refuses the\n"
-    "certificate of a worker that was accepted before, the worker retries for an hour, since a\n"
-    "clock may be wrong.";
+    "A worker stays until it is told to end, whatever happens to the master. With --idle-exit\n"
+    "and --orphan-exit it leaves by itself, for hosts that are paid by the hour.\n"
+    "\n"
+    "Exit codes: 0 ended as asked, or idle for --idle-exit; 2 wrong usage; 4 no master within\n"
+    "--connect-for, or for --orphan-exit; 5 refused by the master, or no credential; 130 ended\n"
+    "at once by a second signal. If TLS refuses the certificate of a worker that was accepted\n"
+    "before, the worker retries for an hour, since a clock may be wrong.";
 
 constexpr const char* environment_prefix = "CDWORKER_";
 
@@ -62,6 +65,8 @@ struct Texts {
     std::string cache = "auto";
     std::int64_t connect_for = 30;
     std::int64_t drain_timeout = timing::drain_timeout.count();
+    std::optional<std::int64_t> idle_exit;
+    std::optional<std::int64_t> orphan_exit;
     std::string state = (state_folder() / "worker").string();
     std::string token;
     std::string token_file;
@@ -138,11 +143,28 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
         ->check(CLI::Range(std::int64_t{0},
                            std::int64_t{std::chrono::seconds(timing::drain_timeout_max).count()}))
         ->capture_default_str();
+    const CLI::Range leave_after(std::int64_t{1}, std::int64_t{1'000'000'000});
+    option(app.add_option("--idle-exit",
+                          texts.idle_exit,
+                          "Leave after this time without work while the master is there: drain, "
+                          "exit with 0; default: never"),
+           "SECONDS")
+        ->check(leave_after);
+    option(app.add_option("--orphan-exit",
+                          texts.orphan_exit,
+                          "Leave after this time without the master, which was there before: log "
+                          "what it did not take, exit with 4; default: never"),
+           "SECONDS")
+        ->check(leave_after);
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDWORKER_CONFIG")
         ->type_name("FILE");
     app.config_formatter(make_toml_config(environment_prefix));
     app.allow_config_extras(false);
+}
+
+std::optional<std::chrono::seconds> seconds_of(const std::optional<std::int64_t>& count) {
+    return count ? std::optional(std::chrono::seconds(*count)) : std::nullopt;
 }
 
 CLI::App* add_join(CLI::App& app, Texts& texts) {
@@ -245,8 +267,9 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     config.state = texts.state;
     config.master = master.value();
     config.cache_bytes = cache.value();
-    config.connect_for = std::chrono::seconds(texts.connect_for);
-    config.drain_timeout = std::chrono::seconds(texts.drain_timeout);
+    config.times.connect_for = std::chrono::seconds(texts.connect_for);
+    config.times.drain_timeout = std::chrono::seconds(texts.drain_timeout);
+    config.times.leave = {seconds_of(texts.idle_exit), seconds_of(texts.orphan_exit)};
     return {std::move(config), "", 0};
 }
 

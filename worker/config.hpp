@@ -6,6 +6,7 @@
 #include "common/core/timing/worker.hpp"
 #include "proto/access/join_token.hpp"
 #include "proto/channel/channel.hpp"
+#include "worker/membership/leave_rule.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -14,6 +15,13 @@
 #include <string>
 
 namespace cd {
+
+/// How long a worker waits before it ends.
+struct WorkerTimes {
+    std::chrono::seconds connect_for{30}; ///< For the first connection.
+    std::chrono::seconds drain_timeout = timing::drain_timeout;
+    LeaveLimits leave; ///< Before it leaves by itself.
+};
 
 struct WorkerConfig {
     Endpoint master{"127.0.0.1", 7600};
@@ -26,8 +34,7 @@ struct WorkerConfig {
     bool no_peers = false;         ///< Serves no geometry to other workers.
     std::uint16_t peer_port = 0;   ///< Port for other workers; 0: the system chooses.
     LogOptions log;
-    std::chrono::seconds connect_for{30}; ///< Time limit for the first connection.
-    std::chrono::seconds drain_timeout = timing::drain_timeout;
+    WorkerTimes times;
     std::filesystem::path state;   ///< Folder of the credential file.
     std::optional<JoinToken> join; ///< If set: get a credential with this token, then end.
 };

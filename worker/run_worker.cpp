@@ -12,6 +12,7 @@
 #include "proto/channel/signals.hpp"
 #include "worker/membership/backoff.hpp"
 #include "worker/membership/credential_keeper.hpp"
+#include "worker/membership/leave_rule.hpp"
 #include "worker/membership/membership.hpp"
 #include "worker/membership/refusal_patience.hpp"
 
@@ -67,7 +68,10 @@ class Daemon {
 
     asio::awaitable<void> run() {
         spawn(context_.get_executor(), "renewal", keeper_->keep());
-        const auto give_up_at = std::chrono::steady_clock::now() + config_.connect_for;
+        if (!LeaveRule(config_.times.leave).is_off()) {
+            spawn(context_.get_executor(), "leaving", leave_when_due());
+        }
+        const auto give_up_at = std::chrono::steady_clock::now() + config_.times.connect_for;
         for (;;) {
             Target target{config_.master, keeper_->tls()->now};
             const Result<std::shared_ptr<Channel>> channel = co_await connect(
@@ -88,7 +92,7 @@ class Daemon {
             }
             if (!patience_.was_accepted() && std::chrono::steady_clock::now() >= give_up_at) {
                 log_error("no master within --connect-for: seconds={}",
-                          config_.connect_for.count());
+                          config_.times.connect_for.count());
                 co_return end(exit_unreachable);
             }
             co_await pause_.wait();
@@ -174,13 +178,42 @@ class Daemon {
         }
     }
 
+    asio::awaitable<void> leave_when_due() {
+        LeaveRule rule(config_.times.leave);
+        asio::steady_timer timer(context_);
+        for (;;) {
+            const WorkerMoment moment{membership_.is_connected(),
+                                      membership_.has_work(),
+                                      membership_.scenarios_computed()};
+            const Leave leave = rule.observe(moment, std::chrono::steady_clock::now());
+            if (leave == Leave::Idle && !membership_.is_draining()) {
+                log_info("leaving, there was no work: seconds={}",
+                         config_.times.leave.idle->count());
+                drain();
+            }
+            if (leave == Leave::Orphaned) {
+                log_error("leaving, there was no master: seconds={}",
+                          config_.times.leave.orphaned->count());
+                membership_.end();
+                membership_.log_unkept();
+                co_return end(exit_unreachable);
+            }
+            timer.expires_after(timing::leave_check_period);
+            co_await timer.async_wait(asio::use_awaitable);
+        }
+    }
+
     void stop(unsigned count) {
         if (count > 1) {
             log_warning("ended at once by a second signal");
             std::_Exit(exit_at_once);
         }
+        drain();
+    }
+
+    void drain() {
         notify_service("STOPPING=1");
-        if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
+        if (membership_.drain(config_.times.drain_timeout, [this] { context_.stop(); })) {
             pause_.skip(); // Reconnects at once, to drain over the new connection.
         } else {
             log_info("ended, no work remained: scenarios_computed={}",

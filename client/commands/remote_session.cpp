@@ -7,6 +7,7 @@
 #include "client/remote/membership.hpp"
 #include "client/report/waiting_note.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/timing/client.hpp"
 #include "common/core/words.hpp"
@@ -50,6 +51,9 @@ Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
         if (opened || !is_of_the_network(opened.error()) ||
             std::chrono::steady_clock::now() > give_up_at) {
             return opened;
+        }
+        if (InterruptGuard::has_come()) {
+            return interrupted();
         }
         std::this_thread::sleep_for(timing::come_back_period);
     }

@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+
 namespace cd::tests {
 namespace {
 
@@ -221,6 +223,21 @@ TEST_P(AnyClientLink, ASubmissionIsThereWholeOrNotAtAll) {
     for (const std::string& each : ids) {
         expect_right(each);
     }
+}
+
+TEST_P(AnyClientLink, OneSignalEndsAWaitForAMasterThatIsGone) {
+    const std::string id = submit_near();
+    Process waiting(command({"wait", id}, master_.address()), folder_ / "waiting");
+    const auto says = [&](const char* text) {
+        return comes_true([&] { return waiting.errors().find(text) != std::string::npos; });
+    };
+    ASSERT_TRUE(says("no worker is connected")) << waiting.errors();
+    master_.kill();
+    ASSERT_TRUE(says("waiting for it to come back")) << waiting.errors();
+    waiting.signal(SIGTERM);
+    // Without a signal it waits for a minute.
+    EXPECT_EQ(waiting.wait(std::chrono::seconds(30)), 128 + SIGTERM) << waiting.errors();
+    EXPECT_THAT(waiting.errors(), HasSubstr("interrupted"));
 }
 
 /// Uses the timeouts of users, so it takes a minute.

@@ -49,7 +49,18 @@ TEST(WorkerConfig, DefaultsAreForAMasterOnThisMachine) {
     EXPECT_EQ(line.config->threads, 0u);
     EXPECT_FALSE(line.config->insecure);
     EXPECT_FALSE(line.config->name.empty());
-    EXPECT_EQ(line.config->drain_timeout, std::chrono::seconds(25));
+    EXPECT_EQ(line.config->times.drain_timeout, std::chrono::seconds(25));
+    EXPECT_FALSE(line.config->times.leave.idle);
+    EXPECT_FALSE(line.config->times.leave.orphaned);
+}
+
+TEST(WorkerConfig, WhenToLeaveIsAnOptionOrAKeyOfTheFile) {
+    const TemporaryFolder folder;
+    const std::string file = file_with(folder, "w.toml", "idle-exit = 60\norphan-exit = 600\n");
+    const WorkerCommandLine line = parse({"--config", file.c_str(), "--idle-exit", "5"});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->times.leave.idle, std::chrono::seconds(5));
+    EXPECT_EQ(line.config->times.leave.orphaned, std::chrono::seconds(600));
 }
 
 TEST(WorkerConfig, OptionsAreRead) {
@@ -81,8 +92,8 @@ TEST(WorkerConfig, OptionsAreRead) {
     EXPECT_EQ(line.config->simd, "avx2");
     EXPECT_TRUE(line.config->insecure);
     EXPECT_EQ(line.config->log.level, "debug");
-    EXPECT_EQ(line.config->connect_for, std::chrono::seconds(7));
-    EXPECT_EQ(line.config->drain_timeout, std::chrono::seconds(9));
+    EXPECT_EQ(line.config->times.connect_for, std::chrono::seconds(7));
+    EXPECT_EQ(line.config->times.drain_timeout, std::chrono::seconds(9));
 }
 
 TEST(WorkerConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {
@@ -112,6 +123,9 @@ TEST(WorkerConfig, WhatIsWrongIsUsage) {
         {"--threads", "-1"},
         {"--threads", "x"},
         {"--log-level", "loud"},
+        {"--idle-exit", "0"},
+        {"--orphan-exit", "-1"},
+        {"--orphan-exit", "soon"},
         {"--frobnicate"},
         {"--name", "a\nb"},
         {"--config", "/no/such/f"},
@@ -166,7 +180,7 @@ TEST(RunWorker, GivesUpOnAMasterThatIsNotThere) {
     WorkerConfig config;
     config.master = {"127.0.0.1", 1};
     config.threads = 1;
-    config.connect_for = std::chrono::seconds(0);
+    config.times.connect_for = std::chrono::seconds(0);
     EXPECT_EQ(run_worker(config), 4);
 }
 

@@ -113,12 +113,22 @@ asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finis
         log_warning("drain timed out: results_not_acknowledged={}",
                     keep_->results.messages().size());
         end();
+        log_unkept();
         out_of_time();
     }
 }
 
 bool Membership::has_work() const {
     return (session_ != nullptr && session_->has_tasks()) || !keep_->results.empty();
+}
+
+void Membership::log_unkept() const {
+    for (const auto& [job, lost] : keep_->results.by_job()) {
+        log_warning("results that no master took: job={} scenarios={} compute_seconds={:.3f}",
+                    job.value,
+                    lost.scenarios,
+                    lost.compute_seconds);
+    }
 }
 
 void Membership::end() {

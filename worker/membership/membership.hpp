@@ -38,8 +38,13 @@ class Membership {
     [[nodiscard]] bool drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time);
     /// Whether `drain` was called.
     [[nodiscard]] bool is_draining() const { return is_draining_; }
+    /// Whether a master has accepted the worker on a connection that has not ended.
+    [[nodiscard]] bool is_connected() const { return is_connected_; }
     /// Whether tasks or unacknowledged results remain.
     [[nodiscard]] bool has_work() const;
+    /// Logs for each job the results that no master has acknowledged. Call it after `end`, which
+    /// adds the results of tasks that had not ended.
+    void log_unkept() const;
     /// Ends the session, so that other workers get no more blocks from this one.
     void end();
 

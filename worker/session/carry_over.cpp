@@ -44,6 +44,16 @@ bool UnkeptResults::has_room() const {
     return bytes_ < bounds_.bytes && messages_.size() < bounds_.messages;
 }
 
+std::map<JobId, UnkeptOfJob> UnkeptResults::by_job() const {
+    std::map<JobId, UnkeptOfJob> jobs;
+    for (const auto& [sequence, message] : messages_) {
+        UnkeptOfJob& job = jobs[message.job];
+        job.scenarios += message.count;
+        job.compute_seconds += message.compute_seconds;
+    }
+    return jobs;
+}
+
 void CarryOver::enter(const Sha256& its_cluster) {
     if (cluster != its_cluster) {
         results.clear();

@@ -23,6 +23,12 @@ struct UnkeptBounds {
     std::size_t messages = limits::results_unkept_messages_max;
 };
 
+/// Results of one job that are lost with the worker.
+struct UnkeptOfJob {
+    std::uint64_t scenarios = 0;
+    double compute_seconds = 0;
+};
+
 /// Result messages that the master has not acknowledged yet.
 class UnkeptResults {
   public:
@@ -40,6 +46,7 @@ class UnkeptResults {
     /// The messages to send again in a resumed session, by sequence number.
     [[nodiscard]] const std::map<std::uint64_t, Results>& messages() const { return messages_; }
     [[nodiscard]] bool empty() const { return messages_.empty(); }
+    [[nodiscard]] std::map<JobId, UnkeptOfJob> by_job() const;
     /// Whether new scenarios may begin.
     [[nodiscard]] bool has_room() const;
 

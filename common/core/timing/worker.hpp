@@ -36,4 +36,7 @@ inline constexpr std::chrono::hours drain_timeout_max{24 * 7};
 /// A worker that a master has accepted before retries for this long after a TLS refusal.
 inline constexpr std::chrono::hours refusal_retry_max{1};
 
+/// A worker checks this often whether --idle-exit or --orphan-exit applies.
+inline constexpr std::chrono::milliseconds leave_check_period{250};
+
 } // namespace cd::timing

@@ -69,6 +69,23 @@ TEST(UnkeptResults, HaveRoomForSoMuchOnly) {
     EXPECT_TRUE(unkept.has_room());
 }
 
+TEST(UnkeptResults, AreCountedByJob) {
+    UnkeptResults unkept;
+    for (const std::uint64_t job : {2u, 1u, 2u}) {
+        Results results = some_results(job);
+        results.count = static_cast<std::uint32_t>(10 * job);
+        results.compute_seconds = 0.5;
+        unkept.add(results);
+    }
+    const auto jobs = unkept.by_job();
+    ASSERT_EQ(jobs.size(), 2u);
+    EXPECT_EQ(jobs.at(JobId{1}).scenarios, 10u);
+    EXPECT_EQ(jobs.at(JobId{2}).scenarios, 40u);
+    EXPECT_EQ(jobs.at(JobId{2}).compute_seconds, 1);
+    unkept.kept(std::vector<std::uint64_t>{1, 3});
+    EXPECT_EQ(unkept.by_job().size(), 1u);
+}
+
 TEST(UnkeptResults, CountTheirMapsToo) {
     UnkeptResults unkept({1000, 100});
     Results results = some_results(1);
