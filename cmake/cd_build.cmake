@@ -100,7 +100,7 @@ function(cd_add_program name library)
     add_executable(${name} main.cpp)
     target_link_libraries(${name} PRIVATE ${library})
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
-    install(TARGETS ${name} RUNTIME)
+    install(TARGETS ${name} RUNTIME COMPONENT programs)
 endfunction()
 
 # cd_add_test(NAME FOLDER LABEL [libs...]): a test program of all *_test.cpp in FOLDER and below.

@@ -180,7 +180,7 @@ def show_demo(browser, bin_dir, root):
     os.environ["XDG_CACHE_HOME"] = str(root / "cache")
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         os.environ.pop(name, None)
-    words = f"{bin_dir}/cdctl demo --scenarios {DEMO_SCENARIOS}"
+    words = f"{bin_dir}/cdctl demo --vehicles debian --scenarios {DEMO_SCENARIOS}"
     demo = Program("script", "--quiet", "--return", "--command", words, "/dev/null")
     try:
         url = demo.wait_for(r"http://127\.0\.0\.1:\d+/#key=[0-9a-f]+").group(0)

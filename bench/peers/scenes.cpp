@@ -2,8 +2,8 @@
 
 #include "bench/accuracy/suites/sources.hpp"
 #include "bench/posed_trees.hpp"
-#include "bench/scenarios/sheet.hpp"
-#include "bench/scenarios/vehicle.hpp"
+#include "client/demo/sheet.hpp"
+#include "client/demo/vehicle.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/pose_source.hpp"

@@ -1,9 +1,10 @@
 // Writes a generated vehicle as a mesh file.
 //
-//   make_vehicle truck 300000 FILE.stl        binary STL; .obj with its parts; .glb
+//   make_vehicle truck 300000 FILE.stl        binary STL; .obj, which has the parts, too; .glb
 //
 // Without a file it prints only the number of triangles and the mesh's hash.
-#include "bench/scenarios/vehicle.hpp"
+#include "client/demo/obj_file.hpp"
+#include "client/demo/vehicle.hpp"
 #include "common/core/files/bytes.hpp"
 
 #include <CLI/CLI.hpp>
@@ -45,30 +46,6 @@ std::string stl_bytes(const Mesh& mesh) {
         bytes.append(2, '\0');
     }
     return bytes;
-}
-
-std::string obj_text(const Mesh& mesh) {
-    std::string text;
-    for (const Vec3& vertex : mesh.vertices()) {
-        text += fmt::format("v {} {} {}\n",
-                            static_cast<float>(vertex.x()),
-                            static_cast<float>(vertex.y()),
-                            static_cast<float>(vertex.z()));
-    }
-    const auto put_triangles = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Triangle& triangle = mesh.triangles()[i];
-            text += fmt::format("f {} {} {}\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
-        }
-    };
-    if (mesh.parts().empty()) {
-        put_triangles(0, mesh.triangles().size());
-    }
-    for (const Part& part : mesh.parts()) {
-        text += "g " + part.name + "\n";
-        put_triangles(part.triangles_begin, part.triangles_end);
-    }
-    return text;
 }
 
 /// Returns a GLB chunk, padded to a multiple of four bytes (glTF 2.0, section 4.4).
@@ -149,9 +126,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(500, 20000000));
     app.add_option("FILE", path, "A file to write: .stl (binary), .obj or .glb");
     CLI11_PARSE(app, argc, argv);
-    using cd::bench::VehicleKind;
+    using cd::VehicleKind;
     const auto mesh =
-        cd::bench::make_vehicle(kind == "car" ? VehicleKind::Car : VehicleKind::Truck, triangles);
+        cd::make_vehicle(kind == "car" ? VehicleKind::Car : VehicleKind::Truck, triangles);
     std::printf("%s: %zu triangles, hash %s\n",
                 kind.c_str(),
                 mesh->triangles().size(),

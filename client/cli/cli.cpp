@@ -93,6 +93,13 @@ class Verbs {
         CLI::Option* b = demo.add("--b", demo->b, "MESH", "Mesh of body B");
         a->needs(b);
         b->needs(a);
+        demo.add("--vehicles",
+                 demo->vehicles,
+                 "SET",
+                 "generated: a truck and a car; debian: a motorcycle and a tram, from packages")
+            ->check(CLI::IsMember({"generated", "debian"}))
+            ->excludes(a)
+            ->capture_default_str();
         demo.add("--out", demo->out, "DIR", "Folder for the results");
         demo.flag("--no-wait", demo->no_wait, "End after the job; show no page");
         add_quiet(*demo, demo->quiet);

@@ -85,7 +85,8 @@ struct CheckCommand {
 
 struct DemoCommand {
     std::uint64_t scenarios = 1000;
-    std::string a; ///< Mesh of A; empty: the demo draws on its two vehicles.
+    std::string vehicles = "generated"; ///< generated, debian
+    std::string a;                      ///< Mesh of A instead of a vehicle. Empty: none.
     std::string b;
     std::string out;
     bool no_wait = false; ///< End after the job, also on a terminal.

@@ -6,7 +6,7 @@ namespace cd {
 inline constexpr const char* main_help =
     R"(Finds every contact of two triangle meshes for many poses, here or on a cluster.
 Examples:
-  cdctl demo                                          a local cluster and a real vehicle
+  cdctl demo                                          a local cluster and two vehicles
   cdctl run --a car.obj --b post.stl --poses p.csv --out out
   cdctl run --a car.obj --b post.stl --random 1000    the paper's kind of scenarios
   cdctl run job.toml                                  on this machine alone
@@ -78,11 +78,12 @@ run, under some of its poses, on one thread. With --master it tells what travell
 geometry, by who gave it; how often a worker's cache held what a scenario needed; results.)";
 
 inline constexpr const char* demo_help =
-    R"(Starts a local cluster, runs a job on a real vehicle, shows it in the browser.
+    R"(Starts a local cluster, runs a job on two vehicles, shows it in the browser.
 Examples:
   cdctl demo                          on a terminal: until Ctrl-C, with the page's address
   cdctl demo --no-wait
   cdctl demo --scenarios 5000 --out results
+  cdctl demo --vehicles debian        real ones, of the packages openfoam-examples, sumo-tools
   cdctl demo --a car.obj --b tram.obj)";
 
 inline constexpr const char* inspect_help =

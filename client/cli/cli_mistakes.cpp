@@ -59,7 +59,7 @@ std::optional<std::string> unknown_option(const CLI::App& app,
 
 std::string first_steps() {
     return "cdctl: which verb? For example\n"
-           "  cdctl demo                           a local cluster and a real vehicle\n"
+           "  cdctl demo                           a local cluster and two vehicles\n"
            "  cdctl inspect car.obj                size, parts, closed or not\n"
            "  cdctl run --a car.obj --b post.stl --random 1000\n"
            "  cdctl run --a car.obj --b post.stl --poses poses.csv --out out\n"

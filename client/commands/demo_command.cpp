@@ -1,12 +1,13 @@
-// The verb `demo`: a job on real vehicles, run by a cluster that it starts on this machine.
+// The verb `demo`: a job on two vehicles, run by a cluster that it starts on this machine.
+#include "client/base/cache_folder.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/commands/viewing.hpp"
+#include "client/demo/demo_vehicles.hpp"
 #include "client/local/local_cluster.hpp"
-#include "client/trees/demo_vehicles.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/timing/client.hpp"
@@ -82,7 +83,9 @@ Result<int> perform(const DemoCommand& command) {
     const auto cache = cache_dir();
     RunCommand run = demo_run(command, cache);
     if (run.job.a.empty()) {
-        const auto vehicles = CD_TRY(find_vehicles(cache));
+        const auto vehicles =
+            CD_TRY(command.vehicles == "debian" ? find_debian_vehicles(cache)
+                                                : write_vehicles(cache / "demo-vehicles"));
         run.job.a = vehicles[0].string();
         run.job.b = vehicles[1].string();
     }

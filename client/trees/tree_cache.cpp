@@ -1,6 +1,6 @@
 #include "client/trees/tree_cache.hpp"
 
-#include "client/trees/demo_vehicles.hpp"
+#include "client/base/cache_folder.hpp"
 #include "common/tree/support_file.hpp"
 #include "common/tree/tree_file.hpp"
 

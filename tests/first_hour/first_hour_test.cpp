@@ -348,10 +348,6 @@ TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
                   "XDG_CACHE_HOME=" + path("cache"),
                   cdctl(),
                   "demo",
-                  "--a",
-                  path("car.obj"),
-                  "--b",
-                  path("post.obj"),
                   "--scenarios",
                   "20",
                   "--out",
@@ -359,15 +355,14 @@ TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
                  folder_ / "demo");
     EXPECT_EQ(demo.wait(std::chrono::seconds(60)), 0) << demo.errors();
     EXPECT_THAT(demo.errors(), HasSubstr("  cluster  cdmaster on 127.0.0.1:"));
+    EXPECT_THAT(demo.errors(), testing::ContainsRegex("  A  truck.obj .* parts\n  B  car.obj"));
     EXPECT_THAT(demo.errors(), testing::ContainsRegex("\n  on 127.0.0.1:[0-9]+, 2 workers\n"));
     EXPECT_THAT(demo.output(), HasSubstr("tested 20 of 20"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
     for (const char* log : {"master.log", "worker-1.log", "worker-2.log"}) {
         EXPECT_THAT(read_text(folder_ / "cache/cdcluster/demo-logs" / log), HasSubstr("ended: "));
     }
-    print({"cdctl", "demo", "--a", "car.obj", "--b", "post.obj", "--scenarios", "20"},
-          demo.errors() + demo.output(),
-          0);
+    print({"cdctl", "demo", "--scenarios", "20"}, demo.errors() + demo.output(), 0);
 }
 
 TEST_F(FirstHour, ControlCEndsARunAtOnce) {

@@ -65,6 +65,7 @@ ORDERED = {
         "import": [],
         "bundle": [],
         "curves": [],
+        "demo": [],
         "spec": ["messages"],
         "trees": [],
         "poses": [],

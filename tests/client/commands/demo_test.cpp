@@ -1,8 +1,8 @@
-// Proves that the demo finds and unpacks its vehicle, otherwise names the package to install, and
-// ends the programs it starts.
+// Proves that the demo finds and unpacks the vehicles of Debian packages, otherwise names the
+// package to install, and ends the programs it starts.
 #include "client/base/child_process.hpp"
+#include "client/demo/demo_vehicles.hpp"
 #include "client/local/local_cluster.hpp"
-#include "client/trees/demo_vehicles.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -53,12 +53,12 @@ TEST_F(Demo, TheVehicleIsUnpackedOnce) {
     const std::string text(3'000'000, 'v');
     write_gz(dir_ / "root" / packed, text);
     write(dir_ / "root" / tram, "v 0 0 0\n");
-    const auto found = find_vehicles(dir_ / "cache", dir_ / "root");
+    const auto found = find_debian_vehicles(dir_ / "cache", dir_ / "root");
     ASSERT_TRUE(found) << found.error().detail;
     EXPECT_EQ(read_text(found.value()[0]), text);
 
     fs::remove(dir_ / "root" / packed);
-    EXPECT_TRUE(find_vehicles(dir_ / "cache", dir_ / "root"));
+    EXPECT_TRUE(find_debian_vehicles(dir_ / "cache", dir_ / "root"));
 }
 
 TEST_F(Demo, AMissingPackageIsNamed) {
@@ -66,7 +66,7 @@ TEST_F(Demo, AMissingPackageIsNamed) {
         if (has_tram) {
             write(dir_ / "root" / tram, "v 0 0 0\n");
         }
-        const auto found = find_vehicles(dir_ / "cache", dir_ / "root");
+        const auto found = find_debian_vehicles(dir_ / "cache", dir_ / "root");
         ASSERT_FALSE(found);
         EXPECT_THAT(
             found.error().detail,
@@ -83,7 +83,7 @@ TEST_F(Demo, AnArchiveCutShortIsRefused) {
     const std::string bytes = read_text(dir_ / "whole.gz");
     write(dir_ / "root" / packed, bytes.substr(0, bytes.size() / 2));
     write(dir_ / "root" / tram, "v 0 0 0\n");
-    const auto found = find_vehicles(dir_ / "cache", dir_ / "root");
+    const auto found = find_debian_vehicles(dir_ / "cache", dir_ / "root");
     ASSERT_FALSE(found);
     EXPECT_THAT(found.error().detail, HasSubstr("motorBike.obj.gz: damaged"));
     EXPECT_TRUE(fs::is_empty(dir_ / "cache"));

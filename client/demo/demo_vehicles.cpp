@@ -1,12 +1,12 @@
-#include "client/trees/demo_vehicles.hpp"
+#include "client/demo/demo_vehicles.hpp"
 
+#include "client/demo/obj_file.hpp"
+#include "client/demo/vehicle.hpp"
 #include "client/formats/output_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 
 #include <zlib.h>
-
-#include <cstdlib>
 
 namespace cd {
 
@@ -25,9 +25,9 @@ bool is_file(const fs::path& path) {
 
 Error not_installed(const fs::path& path) {
     return {ErrorCode::NotFound,
-            "the demo's vehicles are not installed (" + path.string() +
+            "Debian's vehicles are not installed (" + path.string() +
                 " is missing); as root: apt-get install --no-install-recommends openfoam-examples "
-                "sumo-tools"};
+                "sumo-tools; without --vehicles debian the demo needs no packages"};
 }
 
 struct Close {
@@ -63,37 +63,26 @@ Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root
     if (is_file(unpacked)) {
         return unpacked;
     }
-    // deploy/quickstart puts the file into the cache on systems without /usr/share/doc.
-    for (const fs::path& packed : {root / packed_motorcycle, cache / "motorBike.obj.gz"}) {
-        if (!is_file(packed)) {
-            continue;
-        }
-        CD_TRY(gunzip(packed, unpacked));
-        return unpacked;
+    const fs::path packed = root / packed_motorcycle;
+    if (!is_file(packed)) {
+        return not_installed(packed);
     }
-    return not_installed(root / packed_motorcycle);
+    CD_TRY(gunzip(packed, unpacked));
+    return unpacked;
 }
 
 } // namespace
 
-std::optional<fs::path> own_cache_dir() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && *cache == '/') {
-        return fs::path(cache) / "cdcluster";
-    }
-    const char* home = std::getenv("HOME");
-    if (home != nullptr && *home == '/') {
-        return fs::path(home) / ".cache" / "cdcluster";
-    }
-    return std::nullopt;
+Result<std::array<fs::path, 2>> write_vehicles(const fs::path& folder) {
+    CD_TRY(make_directories(folder));
+    const fs::path truck = folder / "truck.obj";
+    const fs::path car = folder / "car.obj";
+    CD_TRY(write_file(truck, obj_text(*make_vehicle(VehicleKind::Truck, 100'000))));
+    CD_TRY(write_file(car, obj_text(*make_vehicle(VehicleKind::Car, 30'000))));
+    return std::array<fs::path, 2>{truck, car};
 }
 
-fs::path cache_dir() {
-    const auto own = own_cache_dir();
-    return own ? *own : fs::temp_directory_path() / "cdcluster";
-}
-
-Result<std::array<fs::path, 2>> find_vehicles(const fs::path& cache, const fs::path& root) {
+Result<std::array<fs::path, 2>> find_debian_vehicles(const fs::path& cache, const fs::path& root) {
     if (!is_file(root / tram)) {
         return not_installed(root / tram);
     }

@@ -9,9 +9,10 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
-namespace cd::bench {
+namespace cd {
 
 /// Returns a point for u and v in [0, 1].
 using Surface = std::function<Vec3(double u, double v)>;
@@ -23,6 +24,7 @@ struct Sheet {
     double cells_u_per_v = 1;
     bool closed_u = false; ///< u = 1 coincides with u = 0.
     bool closed_v = false;
+    std::string part; ///< Name of the part that the sheet belongs to.
 };
 
 /// (cos, sin) of `turn` full turns: the angle is off by up to 0.01, the radius only by rounding.
@@ -39,7 +41,7 @@ struct CirclePoint {
 [[nodiscard]] double saw(double x);
 
 /// Returns one mesh of about `triangles` triangles, coordinates rounded to floats. Omits a sheet
-/// whose share is smaller than its shape needs.
+/// whose share is smaller than its shape needs. Consecutive sheets of one part become one part.
 [[nodiscard]] std::shared_ptr<const Mesh> join_sheets(std::span<const Sheet> sheets,
                                                       std::uint64_t triangles);
 
@@ -53,4 +55,4 @@ struct TubeShape {
 };
 [[nodiscard]] Surface tube(TubeShape shape);
 
-} // namespace cd::bench
+} // namespace cd

@@ -1,13 +1,14 @@
-#include "bench/scenarios/vehicle.hpp"
+#include "client/demo/vehicle.hpp"
 
-#include "bench/scenarios/sheet.hpp"
+#include "client/demo/sheet.hpp"
 
 #include <algorithm>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
-namespace cd::bench {
+namespace cd {
 
 namespace {
 
@@ -113,13 +114,16 @@ Surface mudguard(const Wheel& wheel) {
 }
 
 /// Collects the sheets of a vehicle.
-class Parts {
+class VehicleSheets {
   public:
+    /// Begins a part: the sheets that follow belong to it.
+    void begin(std::string part) { part_ = std::move(part); }
+
     void closed(Surface at, double share, double cells_u_per_v) {
-        sheets_.push_back({std::move(at), share, cells_u_per_v, true, false});
+        sheets_.push_back({std::move(at), share, cells_u_per_v, true, false, part_});
     }
     void open(Surface at, double share, double cells_u_per_v) {
-        sheets_.push_back({std::move(at), share, cells_u_per_v, false, false});
+        sheets_.push_back({std::move(at), share, cells_u_per_v, false, false, part_});
     }
     void bar(std::vector<Vec3> path, double wide, double high, double share, double ratio) {
         closed(tube({std::move(path), Vec3(0, 0, 1), wide, high, true}), share, ratio);
@@ -129,7 +133,7 @@ class Parts {
     }
 
     void wheel(const Wheel& wheel, double share) {
-        sheets_.push_back({tyre(wheel), 0.7 * share, 3, true, true});
+        sheets_.push_back({tyre(wheel), 0.7 * share, 3, true, true, part_});
         closed(rim(wheel), 0.2 * share, 3);
         for (int i = 0; i < 6; ++i) {
             const auto [c, s] = circle_point(i / 6.0);
@@ -156,6 +160,7 @@ class Parts {
 
     /// Adds a block with hoses around it.
     void engine(const Vec3& at, double share) {
+        begin("engine");
         bar({at - Vec3(0.3, 0, 0), at + Vec3(0.3, 0, 0)}, 0.22, 0.2, 0.2 * share, 1);
         for (int i = 0; i < 4; ++i) {
             const Vec3 row = at + Vec3(-0.24 + 0.16 * i, 0.1, 0.22);
@@ -173,6 +178,7 @@ class Parts {
 
     /// Adds long thin slats across the front at x.
     void grille(double x, double half_width, double bottom, double top, int count, double share) {
+        begin("grille");
         for (int i = 0; i < count; ++i) {
             const double z = bottom + (i + 0.5) / count * (top - bottom);
             bar({{x, -half_width, z}, {x, half_width, z}}, 0.004, 0.012, share / count, 0.25);
@@ -182,10 +188,16 @@ class Parts {
     [[nodiscard]] const std::vector<Sheet>& sheets() const { return sheets_; }
 
   private:
+    std::string part_;
     std::vector<Sheet> sheets_;
 };
 
-void add_car_body(Parts& parts) {
+/// Returns "PART_left" for the side 1 (y points to the left), "PART_right" for -1.
+std::string on_side(const std::string& part, double side) {
+    return part + (side > 0 ? "_left" : "_right");
+}
+
+void add_car_body(VehicleSheets& car) {
     const std::vector<Station> body{{0.00, 0.60, 0.45, 0.85},
                                     {0.10, 0.82, 0.30, 1.00},
                                     {0.90, 0.88, 0.22, 1.08},
@@ -194,118 +206,163 @@ void add_car_body(Parts& parts) {
                                     {3.30, 0.88, 0.20, 1.00},
                                     {4.20, 0.84, 0.22, 0.85},
                                     {4.40, 0.60, 0.40, 0.65}};
-    parts.closed(skin({body, 0.2, 0, 0, 0}), 22, 1.2);
-    parts.closed(skin({body, 0.2, 0.03, 0, 0}), 12, 1);
-    parts.open(panel({0.3, -0.75, 0.24}, {3.8, 0, 0}, {0, 1.5, 0}, 16, 0.02), 6, 4);
-    parts.open(panel({0.02, -0.8, 0.5}, {0, 1.6, 0}, {-0.08, 0, -0.15}, 1, 0.05), 1.5, 8);
-    parts.open(panel({4.36, -0.8, 0.35}, {0, 1.6, 0}, {0.06, 0, 0.2}, 1, -0.05), 1.5, 8);
+    car.begin("body");
+    car.closed(skin({body, 0.2, 0, 0, 0}), 22, 1.2);
+    car.begin("lining");
+    car.closed(skin({body, 0.2, 0.03, 0, 0}), 12, 1);
+    car.begin("floor");
+    car.open(panel({0.3, -0.75, 0.24}, {3.8, 0, 0}, {0, 1.5, 0}, 16, 0.02), 6, 4);
+    car.begin("bumper_rear");
+    car.open(panel({0.02, -0.8, 0.5}, {0, 1.6, 0}, {-0.08, 0, -0.15}, 1, 0.05), 1.5, 8);
+    car.begin("bumper_front");
+    car.open(panel({4.36, -0.8, 0.35}, {0, 1.6, 0}, {0.06, 0, 0.2}, 1, -0.05), 1.5, 8);
     for (const double side : {-1.0, 1.0}) {
         // Trims and sills: one cell wide over several metres.
-        parts.bar({{0.7, 0.89 * side, 0.6}, {3.6, 0.89 * side, 0.62}}, 0.008, 0.02, 1, 0.1);
-        parts.bar({{0.8, 0.84 * side, 0.25}, {3.4, 0.84 * side, 0.25}}, 0.05, 0.04, 1, 0.15);
-        parts.bar({{1.5, 0.68 * side, 1.38}, {2.6, 0.68 * side, 1.41}}, 0.006, 0.01, 0.5, 0.1);
-        parts.closed(ball({3.0, 0.98 * side, 0.98}, {0.06, 0.1, 0.07}), 0.8, 1);
-        parts.closed(ball({4.22, 0.6 * side, 0.66}, {0.14, 0.17, 0.08}), 1, 1);
-        parts.closed(ball({0.1, 0.62 * side, 0.86}, {0.08, 0.16, 0.07}), 1, 1);
-        parts.rivets({0.9, 0.85 * side, 0.35}, {3.3, 0.85 * side, 0.35}, {0, side, 0}, 24, 1);
+        car.begin(on_side("trim", side));
+        car.bar({{0.7, 0.89 * side, 0.6}, {3.6, 0.89 * side, 0.62}}, 0.008, 0.02, 1, 0.1);
+        car.begin(on_side("sill", side));
+        car.bar({{0.8, 0.84 * side, 0.25}, {3.4, 0.84 * side, 0.25}}, 0.05, 0.04, 1, 0.15);
+        car.begin(on_side("roof_rail", side));
+        car.bar({{1.5, 0.68 * side, 1.38}, {2.6, 0.68 * side, 1.41}}, 0.006, 0.01, 0.5, 0.1);
+        car.begin(on_side("mirror", side));
+        car.closed(ball({3.0, 0.98 * side, 0.98}, {0.06, 0.1, 0.07}), 0.8, 1);
+        car.begin(on_side("headlight", side));
+        car.closed(ball({4.22, 0.6 * side, 0.66}, {0.14, 0.17, 0.08}), 1, 1);
+        car.begin(on_side("tail_light", side));
+        car.closed(ball({0.1, 0.62 * side, 0.86}, {0.08, 0.16, 0.07}), 1, 1);
+        car.begin(on_side("rivets", side));
+        car.rivets({0.9, 0.85 * side, 0.35}, {3.3, 0.85 * side, 0.35}, {0, side, 0}, 24, 1);
     }
 }
 
-void add_car_inside(Parts& parts) {
+void add_car_inside(VehicleSheets& car) {
     for (const double side : {-1.0, 1.0}) {
-        parts.seat({2.2, 0.38 * side, 0.5}, 2);
-        parts.seat({1.3, 0.38 * side, 0.5}, 2);
+        car.begin(on_side("seat_front", side));
+        car.seat({2.2, 0.38 * side, 0.5}, 2);
+        car.begin(on_side("seat_rear", side));
+        car.seat({1.3, 0.38 * side, 0.5}, 2);
     }
-    parts.bar({{2.95, -0.72, 0.85}, {2.95, 0.72, 0.85}}, 0.18, 0.12, 3, 1);
-    parts.engine({3.75, 0, 0.55}, 8);
-    parts.pipe(
+    car.begin("dashboard");
+    car.bar({{2.95, -0.72, 0.85}, {2.95, 0.72, 0.85}}, 0.18, 0.12, 3, 1);
+    car.engine({3.75, 0, 0.55}, 8);
+    car.begin("exhaust");
+    car.pipe(
         {{3.4, 0.1, 0.3}, {2.4, 0.15, 0.22}, {1.2, 0.15, 0.22}, {0.1, 0.4, 0.28}}, 0.03, 2, 0.15);
-    parts.pipe({{3.5, -0.1, 0.34}, {0.8, -0.1, 0.3}}, 0.04, 1, 0.1);
-    parts.grille(4.33, 0.5, 0.42, 0.6, 8, 2);
+    car.begin("drive_shaft");
+    car.pipe({{3.5, -0.1, 0.34}, {0.8, -0.1, 0.3}}, 0.04, 1, 0.1);
+    car.grille(4.33, 0.5, 0.42, 0.6, 8, 2);
 }
 
-Parts car() {
-    Parts parts;
-    add_car_body(parts);
-    add_car_inside(parts);
+VehicleSheets car_sheets() {
+    VehicleSheets car;
+    add_car_body(car);
+    add_car_inside(car);
     for (const double side : {-1.0, 1.0}) {
         for (const double x : {0.85, 3.5}) {
+            const std::string end = x < 2 ? "rear" : "front";
             const Wheel wheel{{x, 0.76 * side, 0.32}, 0.31, 0.1, side};
-            parts.wheel(wheel, 6);
-            parts.open(mudguard(wheel), 1, 2);
+            car.begin(on_side("wheel_" + end, side));
+            car.wheel(wheel, 6);
+            car.begin(on_side("mudguard_" + end, side));
+            car.open(mudguard(wheel), 1, 2);
         }
     }
     for (const double x : {0.85, 3.5}) {
-        parts.pipe({{x, -0.7, 0.32}, {x, 0.7, 0.32}}, 0.035, 0.6, 0.3);
+        car.begin(x < 2 ? "axle_rear" : "axle_front");
+        car.pipe({{x, -0.7, 0.32}, {x, 0.7, 0.32}}, 0.035, 0.6, 0.3);
     }
-    return parts;
+    return car;
 }
 
-void add_truck_body(Parts& parts) {
+void add_truck_body(VehicleSheets& truck) {
     const std::vector<Station> cab{{6.9, 1.15, 0.75, 2.6},
                                    {7.1, 1.22, 0.65, 2.95},
                                    {8.3, 1.22, 0.60, 3.0},
                                    {8.8, 1.20, 0.55, 2.1},
                                    {8.9, 1.05, 0.60, 1.8}};
     const std::vector<Station> box{{0, 1.25, 1.2, 3.6}, {6.6, 1.25, 1.2, 3.6}};
-    parts.closed(skin({cab, 0.12, 0, 0, 0}), 11, 0.6);
-    parts.closed(skin({cab, 0.12, 0.04, 0, 0}), 6, 0.6);
-    parts.closed(skin({box, 0, 0, 48, 0.02}), 16, 2.5);
-    parts.closed(skin({box, 0, 0.06, 0, 0}), 7, 0.7);
-    parts.open(panel({0, -1.2, 1.25}, {0, 2.4, 0}, {0, 0, 2.3}, 12, 0.02), 2, 2);
-    parts.open(panel({6.6, -1.2, 1.25}, {0, 2.4, 0}, {0, 0, 2.3}, 12, 0.02), 2, 2);
-    parts.open(panel({0.1, -1.2, 1.3}, {6.4, 0, 0}, {0, 2.4, 0}, 64, 0.01), 4, 4);
-    parts.bar({{8.95, -1.2, 0.65}, {8.95, 1.2, 0.65}}, 0.08, 0.15, 2, 1);
+    truck.begin("cab");
+    truck.closed(skin({cab, 0.12, 0, 0, 0}), 11, 0.6);
+    truck.begin("cab_lining");
+    truck.closed(skin({cab, 0.12, 0.04, 0, 0}), 6, 0.6);
+    truck.begin("box");
+    truck.closed(skin({box, 0, 0, 48, 0.02}), 16, 2.5);
+    truck.begin("box_lining");
+    truck.closed(skin({box, 0, 0.06, 0, 0}), 7, 0.7);
+    truck.begin("box_doors");
+    truck.open(panel({0, -1.2, 1.25}, {0, 2.4, 0}, {0, 0, 2.3}, 12, 0.02), 2, 2);
+    truck.begin("box_front");
+    truck.open(panel({6.6, -1.2, 1.25}, {0, 2.4, 0}, {0, 0, 2.3}, 12, 0.02), 2, 2);
+    truck.begin("box_floor");
+    truck.open(panel({0.1, -1.2, 1.3}, {6.4, 0, 0}, {0, 2.4, 0}, 64, 0.01), 4, 4);
+    truck.begin("bumper");
+    truck.bar({{8.95, -1.2, 0.65}, {8.95, 1.2, 0.65}}, 0.08, 0.15, 2, 1);
     for (const double side : {-1.0, 1.0}) {
-        parts.rivets({0.1, 1.25 * side, 1.3}, {6.5, 1.25 * side, 1.3}, {0, side, 0}, 60, 1.5);
-        parts.rivets({0.1, 1.25 * side, 3.4}, {6.5, 1.25 * side, 3.4}, {0, side, 0}, 60, 1.5);
-        parts.bar({{0, 1.27 * side, 1.22}, {6.6, 1.27 * side, 1.22}}, 0.02, 0.05, 1.5, 0.08);
-        parts.bar({{0, 1.24 * side, 3.58}, {6.6, 1.24 * side, 3.58}}, 0.03, 0.03, 1.5, 0.08);
-        parts.closed(ball({8.4, 1.4 * side, 2.2}, {0.08, 0.12, 0.25}), 1, 1);
-        parts.closed(ball({8.88, 0.9 * side, 0.95}, {0.08, 0.15, 0.1}), 1, 1);
+        truck.begin(on_side("rivets", side));
+        truck.rivets({0.1, 1.25 * side, 1.3}, {6.5, 1.25 * side, 1.3}, {0, side, 0}, 60, 1.5);
+        truck.rivets({0.1, 1.25 * side, 3.4}, {6.5, 1.25 * side, 3.4}, {0, side, 0}, 60, 1.5);
+        truck.begin(on_side("rail_low", side));
+        truck.bar({{0, 1.27 * side, 1.22}, {6.6, 1.27 * side, 1.22}}, 0.02, 0.05, 1.5, 0.08);
+        truck.begin(on_side("rail_top", side));
+        truck.bar({{0, 1.24 * side, 3.58}, {6.6, 1.24 * side, 3.58}}, 0.03, 0.03, 1.5, 0.08);
+        truck.begin(on_side("mirror", side));
+        truck.closed(ball({8.4, 1.4 * side, 2.2}, {0.08, 0.12, 0.25}), 1, 1);
+        truck.begin(on_side("headlight", side));
+        truck.closed(ball({8.88, 0.9 * side, 0.95}, {0.08, 0.15, 0.1}), 1, 1);
     }
-    parts.grille(8.93, 0.8, 1.0, 1.6, 12, 3);
+    truck.grille(8.93, 0.8, 1.0, 1.6, 12, 3);
 }
 
-void add_truck_frame(Parts& parts) {
+void add_truck_frame(VehicleSheets& truck) {
     for (const double side : {-1.0, 1.0}) {
-        parts.bar({{0.1, 0.45 * side, 0.95}, {8.6, 0.45 * side, 0.95}}, 0.04, 0.13, 3, 0.2);
-        parts.pipe({{4.4, 0.95 * side, 0.8}, {5.9, 0.95 * side, 0.8}}, 0.3, 2, 1);
-        parts.seat({7.7, 0.55 * side, 1.3}, 1.5);
+        truck.begin(on_side("beam", side));
+        truck.bar({{0.1, 0.45 * side, 0.95}, {8.6, 0.45 * side, 0.95}}, 0.04, 0.13, 3, 0.2);
+        truck.begin(on_side("tank", side));
+        truck.pipe({{4.4, 0.95 * side, 0.8}, {5.9, 0.95 * side, 0.8}}, 0.3, 2, 1);
+        truck.begin(on_side("seat", side));
+        truck.seat({7.7, 0.55 * side, 1.3}, 1.5);
     }
+    truck.begin("cross_members");
     for (int i = 0; i < 8; ++i) {
         const double x = 0.5 + 1.1 * i;
-        parts.bar({{x, -0.45, 0.95}, {x, 0.45, 0.95}}, 0.05, 0.08, 0.5, 0.5);
+        truck.bar({{x, -0.45, 0.95}, {x, 0.45, 0.95}}, 0.05, 0.08, 0.5, 0.5);
     }
-    parts.engine({8.2, 0, 1.0}, 5);
-    parts.pipe(
+    truck.engine({8.2, 0, 1.0}, 5);
+    truck.begin("exhaust");
+    truck.pipe(
         {{8.0, 0.3, 0.8}, {6.8, 0.7, 0.75}, {6.75, 1.1, 1.0}, {6.72, 1.1, 3.2}}, 0.06, 2, 0.2);
-    parts.pipe({{7.6, 0, 0.9}, {1.2, 0, 0.6}}, 0.06, 1, 0.1);
+    truck.begin("drive_shaft");
+    truck.pipe({{7.6, 0, 0.9}, {1.2, 0, 0.6}}, 0.06, 1, 0.1);
 }
 
-Parts truck() {
-    Parts parts;
-    add_truck_body(parts);
-    add_truck_frame(parts);
+VehicleSheets truck_sheets() {
+    VehicleSheets truck;
+    add_truck_body(truck);
+    add_truck_frame(truck);
     for (const double x : {1.2, 2.6, 7.6}) {
-        parts.pipe({{x, -1, 0.52}, {x, 1, 0.52}}, 0.07, 0.6, 0.3);
+        const std::string axle = x < 2 ? "rear" : x < 5 ? "middle" : "front";
+        truck.begin("axle_" + axle);
+        truck.pipe({{x, -1, 0.52}, {x, 1, 0.52}}, 0.07, 0.6, 0.3);
         for (const double side : {-1.0, 1.0}) {
             const Wheel outer{{x, 1.08 * side, 0.52}, 0.51, 0.14, side};
-            parts.wheel(outer, 3);
-            parts.open(mudguard(outer), 1, 2);
+            truck.begin(on_side("wheel_" + axle, side));
+            truck.wheel(outer, 3);
+            truck.begin(on_side("mudguard_" + axle, side));
+            truck.open(mudguard(outer), 1, 2);
             if (x < 5) {
-                parts.wheel({{x, 0.76 * side, 0.52}, 0.51, 0.14, -side}, 3);
+                truck.begin(on_side("inner_wheel_" + axle, side));
+                truck.wheel({{x, 0.76 * side, 0.52}, 0.51, 0.14, -side}, 3);
             }
         }
     }
-    return parts;
+    return truck;
 }
 
 } // namespace
 
 std::shared_ptr<const Mesh> make_vehicle(VehicleKind kind, std::uint64_t triangles) {
-    const Parts parts = kind == VehicleKind::Car ? car() : truck();
-    return join_sheets(parts.sheets(), triangles);
+    const VehicleSheets vehicle = kind == VehicleKind::Car ? car_sheets() : truck_sheets();
+    return join_sheets(vehicle.sheets(), triangles);
 }
 
-} // namespace cd::bench
+} // namespace cd

@@ -1,4 +1,4 @@
-#include "bench/scenarios/sheet.hpp"
+#include "client/demo/sheet.hpp"
 
 #include "common/core/check.hpp"
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace cd::bench {
+namespace cd {
 
 namespace {
 
@@ -104,7 +104,12 @@ std::shared_ptr<const Mesh> join_sheets(std::span<const Sheet> sheets, std::uint
     for (const Sheet& sheet : sheets) {
         const double own = static_cast<double>(triangles) * sheet.share / shares;
         if (const auto cells = cells_of(sheet, own)) {
+            const auto begin = static_cast<std::uint32_t>(arrays.triangles.size());
             add_sheet(sheet, *cells, arrays);
+            if (arrays.parts.empty() || arrays.parts.back().name != sheet.part) {
+                arrays.parts.push_back({sheet.part, begin, begin});
+            }
+            arrays.parts.back().triangles_end = static_cast<std::uint32_t>(arrays.triangles.size());
         }
     }
     auto mesh = Mesh::create(std::move(arrays));
@@ -126,4 +131,4 @@ Surface tube(TubeShape shape) {
     };
 }
 
-} // namespace cd::bench
+} // namespace cd
