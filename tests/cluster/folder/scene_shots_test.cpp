@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace cd::tests {
 
@@ -64,8 +66,12 @@ class SceneShotsFolder : public Cluster {
     }
     /// Runs the job into a folder. Returns its manifest.
     nlohmann::json run_into(const std::string& name, std::vector<std::string> more = {}) {
-        std::vector<std::string> words{
-            "run", folder_ / "job.toml", "--formats", "csv,csv-pairs,npz", "--out", folder_ / name};
+        std::vector<std::string> words{"run",
+                                       folder_ / "job.toml",
+                                       "--formats",
+                                       "csv,csv-pairs,npz,json",
+                                       "--out",
+                                       folder_ / name};
         words.insert(words.end(), more.begin(), more.end());
         const Ran ran = cdctl_here(words);
         EXPECT_EQ(ran.exit_code, 0) << ran.errors;
@@ -81,6 +87,33 @@ class SceneShotsFolder : public Cluster {
         const Ran jobs = cdctl_at_master({"get", "jobs", "-o", "name"});
         const std::string ids = jobs.output.substr(0, jobs.output.find_last_not_of('\n') + 1);
         return ids.substr(ids.rfind('\n') + 1);
+    }
+    /// Returns the rows of a table without its header and so many first columns.
+    static std::vector<std::string> rows_after(const std::string& text, int columns) {
+        std::vector<std::string> rows;
+        std::istringstream lines(text);
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line)) {
+            for (int column = 0; column < columns; ++column) {
+                line.erase(0, line.find(',') + 1);
+            }
+            rows.push_back(line);
+        }
+        return rows;
+    }
+    /// Returns step, bundle, pairs and hits of each scenario of a body that has any.
+    static std::vector<std::string> hits_of(const std::string& text, const std::string& body) {
+        std::vector<std::string> hits;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            const auto json = nlohmann::json::parse(line);
+            if (json["body_a"] == body && json["count"] != 0) {
+                hits.push_back(json["step"].dump() + " " + json["bundle"].dump() + " " +
+                               json["pairs"].dump() + " " + json["hits"].dump());
+            }
+        }
+        return hits;
     }
     static std::string short_digest(const nlohmann::json& manifest) {
         return manifest["digest"].get<std::string>().substr(0, 16);
@@ -122,6 +155,33 @@ TEST_F(SceneShotsFolder, OnThreeWorkersHaveTheDigestAndTheFilesOfOneProcess) {
         EXPECT_GT(summary["contact"].get<int>(), 20);
         EXPECT_EQ(summary["parts_hit"], read_json(there, "summary.json")["parts_hit"]);
     }
+}
+
+TEST_F(SceneShotsFolder, ASceneOfOneBodyHasThePassagesOfAJobOfTwoBodies) {
+    const std::string lines = "[shots]\nspacing = 0.125\ntile = 8\nazimuth_deg = [0, 90, "
+                              "3]\nelevation_deg = [0, 60, 2]\n";
+    write_text(folder_ / "job.toml", "[a]\nmesh = \"ring.obj\"\n" + lines);
+    run_into("alone");
+    write_text(folder_ / "job.toml",
+               "[bodies]\nring = { mesh = \"ring.obj\", pose = [0, 0, 0, 0, 0, 0, 1], quat_order = "
+               "\"xyzw\" }\n" +
+                   lines);
+    run_into("scene");
+    const auto alone = rows_after(read("alone", "shotlines.csv"), 1);
+    EXPECT_GT(alone.size(), 1000u);
+    EXPECT_EQ(rows_after(read("scene", "shotlines.csv"), 4), alone);
+}
+
+TEST_F(SceneShotsFolder, ABodyHasTheHitsThatItHasAlone) {
+    const std::string box = "box = [-3, -3, -2, 4, 4, 2]\n";
+    write_job(box);
+    run_into("all");
+    write_job(box + "[rules]\norder = [ { ignore = [\"*\", \"lines\"] }, { test = [\"ring.1\", "
+                    "\"lines\"] } ]\n");
+    run_into("one");
+    const auto all = hits_of(read("all", "results.jsonl"), "ring.1");
+    EXPECT_GT(all.size(), 10u);
+    EXPECT_EQ(hits_of(read("one", "results.jsonl"), "ring.1"), all);
 }
 
 TEST_F(SceneShotsFolder, AJobOnAMasterBecomesTheFolderThatRunWrites) {
