@@ -233,6 +233,9 @@ Result<BodyRules> apply_rules(const RulesSpec& rules,
 Result<BodyRules> apply_rules_of_lines(const SceneSpec& scene,
                                        const SceneBodies& bodies,
                                        const std::filesystem::path& job_file) {
+    if (scene.rules.order.empty()) {
+        return BodyRules{PairSet(bodies.bodies.size() + 1), {}, {}};
+    }
     const SceneBodies all = CD_TRY(with_lines(scene, bodies));
     auto rules = CD_TRY(apply_rules(scene.rules, all, job_file));
     for (const SceneRule& rule : scene.rules.order) {
