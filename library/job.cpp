@@ -42,7 +42,9 @@ Results read_folder(const std::filesystem::path& folder,
                     const std::function<void(Results&&)>& each_window) {
     const cd::OpenedRun run = value_of(cd::OpenedRun::open(folder));
     const auto meshes = value_of(run.meshes());
-    ResultArrays results(each_window, names_of(value_of(cd::export_context(run))));
+    const cd::ExportContext context = value_of(cd::export_context(run));
+    ResultArrays results(each_window, names_of(context));
+    results.number_steps(context.steps);
     check(run.records().for_each([&](const cd::KeptRecord& record) -> cd::Status {
         results.add(record.result, {});
         return cd::Done{};
@@ -79,7 +81,9 @@ class JobRun {
 
     /// Passes all results on and keeps none.
     Results run(const std::function<void(Results&&)>& each_window) {
-        ResultArrays results(each_window, names_of(cd::export_context(job_)));
+        const cd::ExportContext context = cd::export_context(job_);
+        ResultArrays results(each_window, names_of(context));
+        results.number_steps(context.steps);
         if (job_.query.maps && !job_.scene) { // Results of many bodies have no map.
             results.count_maps();
         }

@@ -131,7 +131,7 @@ void ResultArrays::add(const cd::ScenarioResult& result, std::span<const cd::Con
         add_motion(result);
     }
     if (result.step) {
-        window_.step.push_back(*result.step);
+        window_.step.push_back(steps_ ? steps_->step_of(result.index) : *result.step);
         window_.body_a.push_back(result.body_a);
         window_.body_b.push_back(result.body_b);
     }

@@ -3,13 +3,16 @@
 
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
+#include "common/scene/step_index.hpp"
 #include "library/include/cdcluster/cdcluster.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdcluster {
@@ -21,6 +24,10 @@ class ResultArrays {
     using EachWindow = std::function<void(Results&&)>;
 
     explicit ResultArrays(EachWindow each_window, std::vector<std::string> body_names = {});
+
+    /// Takes the step of each result from these, the steps of a scene: with lines, the step in a
+    /// result names its bundle, too. Null: results have the steps that they tell.
+    void number_steps(std::shared_ptr<const cd::StepIndex> steps) { steps_ = std::move(steps); }
 
     /// Adds the next result; `found` has all its pairs if the job has maps.
     void add(const cd::ScenarioResult& result, std::span<const cd::ContactPair> found);
@@ -42,6 +49,7 @@ class ResultArrays {
 
     EachWindow each_window_;
     std::vector<std::string> body_names_;
+    std::shared_ptr<const cd::StepIndex> steps_;
     Results window_;
     bool counts_maps_ = false;
     cd::ContactMapSum map_;

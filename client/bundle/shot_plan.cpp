@@ -33,6 +33,23 @@ std::vector<ShotView> ShotsSpec::views() const {
     return views;
 }
 
+bool stand_alike(const ShotsSpec& one, const ShotsSpec& other) {
+    if (!one.is_grid() || !other.is_grid()) {
+        return one.is_grid() == other.is_grid();
+    }
+    const auto corners = [](const ShotsSpec& spec) {
+        return std::pair(spec.box.value_or(Aabb()).min, spec.box.value_or(Aabb()).max);
+    };
+    return one.grid.width() == other.grid.width() && one.views() == other.views() &&
+           corners(one) == corners(other);
+}
+
+std::string views_text(const ShotsSpec& spec) {
+    return spec.is_grid() ? counted(spec.azimuth_deg.count, "azimuth") + ", " +
+                                counted(spec.elevation_deg.count, "elevation")
+                          : "lines of " + spec.file.filename().string();
+}
+
 Result<Mesh> shot_mesh(const ShotsSpec& spec, const Aabb& box) {
     if (spec.is_grid()) {
         return at_place(spec, make_bundle(spec.grid, bundle_reach(box)));
@@ -61,6 +78,7 @@ ShotViews::ShotViews(const ShotsSpec& spec, const Aabb& box) {
         tiles_.push_back(tiles_in_view(spec.grid, view, box));
         begin += tiles_.back()[0] * tiles_.back()[1];
     }
+    bundles_ = begin;
 }
 
 LinePlace ShotViews::size(std::uint32_t view) const {
@@ -68,15 +86,22 @@ LinePlace ShotViews::size(std::uint32_t view) const {
                           : LinePlace{tiles_[view][0] * tile_, tiles_[view][1] * tile_};
 }
 
-LinePlace ShotViews::place_of(std::uint64_t scenario, std::uint32_t line) const {
-    const std::uint32_t view = view_of(scenario);
-    const std::uint64_t bundle = scenario - begins_[view];
-    const std::uint64_t columns = tiles_[view][0];
-    return {bundle % columns * tile_ + line % tile_, bundle / columns * tile_ + line / tile_};
+std::string ShotViews::direction_text(std::uint32_t view) const {
+    return views_.empty() ? "lines of a file"
+                          : fmt::format("azimuth {:.6g}, elevation {:.6g}",
+                                        views_[view].azimuth_deg,
+                                        views_[view].elevation_deg);
 }
 
-std::uint32_t ShotViews::view_of(std::uint64_t scenario) const {
-    const auto next = std::ranges::upper_bound(begins_, scenario);
+LinePlace ShotViews::place_of(std::uint64_t bundle, std::uint32_t line) const {
+    const std::uint32_t view = view_of(bundle);
+    const std::uint64_t tile = bundle - begins_[view];
+    const std::uint64_t columns = tiles_[view][0];
+    return {tile % columns * tile_ + line % tile_, tile / columns * tile_ + line / tile_};
+}
+
+std::uint32_t ShotViews::view_of(std::uint64_t bundle) const {
+    const auto next = std::ranges::upper_bound(begins_, bundle);
     return next == begins_.begin() ? 0 : static_cast<std::uint32_t>(next - begins_.begin() - 1);
 }
 

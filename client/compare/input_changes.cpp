@@ -1,5 +1,6 @@
 #include "client/compare/input_changes.hpp"
 
+#include "client/spec/job_file.hpp"
 #include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
@@ -125,6 +126,28 @@ InputChanges changes_between(const RunManifest& earlier, const RunManifest& late
     return changes;
 }
 
+namespace {
+
+/// Checks that the lines of two scenes stand alike: their results are compared by the numbers of
+/// bundles. Errors: BadInput.
+Status check_lines(const RunManifest& earlier, const RunManifest& later) {
+    if (!later.scene || later.query.question != Question::Shots ||
+        earlier.query.question != Question::Shots) {
+        return Done{};
+    }
+    const auto was = CD_TRY(parse_job(earlier.job, "run.json"));
+    const auto is = CD_TRY(parse_job(later.job, "run.json"));
+    const ShotsSpec* const before = shots_of(was);
+    const ShotsSpec* const after = shots_of(is);
+    if (before != nullptr && after != nullptr && !stand_alike(*before, *after)) {
+        return bad_input("the runs cannot be compared: their lines stand at other places; give "
+                         "both jobs the same directions, spacing, tile and box in [shots]");
+    }
+    return Done{};
+}
+
+} // namespace
+
 Status check_comparable(const RunManifest& earlier, const RunManifest& later) {
     if (earlier.bodies.size() != later.bodies.size() ||
         earlier.scene.has_value() != later.scene.has_value()) {
@@ -138,7 +161,7 @@ Status check_comparable(const RunManifest& earlier, const RunManifest& later) {
                              earlier.bodies[i].name + " and is " + later.bodies[i].name);
         }
     }
-    return Done{};
+    return check_lines(earlier, later);
 }
 
 std::string changes_text(const InputChanges& changes) {

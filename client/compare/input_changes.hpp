@@ -45,8 +45,8 @@ struct InputChanges {
 /// Both runs have the same number of bodies (`check_comparable`).
 [[nodiscard]] InputChanges changes_between(const RunManifest& earlier, const RunManifest& later);
 
-/// Checks that two runs have as many bodies, and of scenes equal names: results are compared by
-/// body. Errors: BadInput naming the difference.
+/// Checks that two runs have as many bodies, and of scenes equal names and lines at equal places:
+/// results are compared by body and bundle. Errors: BadInput naming the difference.
 [[nodiscard]] Status check_comparable(const RunManifest& earlier, const RunManifest& later);
 
 /// Returns "B changed (7 parts, 2 new), poses equal, query equal".

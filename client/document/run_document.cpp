@@ -53,9 +53,10 @@ Html RunDocument::verdict() const {
     Html content = Html::element("h1", short_name(manifest_.name));
     const std::optional<double>& clearance = manifest_.query.clearance;
     const std::string distance = clearance ? exact_text(*clearance) + " " + manifest_.unit : "";
-    content += has_lines() ? paragraph(shots_verdict_text(summary), "verdict good")
-                           : paragraph(verdict_text(summary, distance),
-                                       is_clean ? "verdict good" : "verdict bad");
+    content +=
+        has_lines()
+            ? paragraph(shots_verdict_text(summary, job_.scene ? "a body" : "A"), "verdict good")
+            : paragraph(verdict_text(summary, distance), is_clean ? "verdict good" : "verdict bad");
     content +=
         has_distance() ? paragraph(DistanceSections(names_, manifest_, overview_).least()) : Html();
     content += motions_ != nullptr ? paragraph(motions_->verdict(names_)) : Html();
@@ -211,9 +212,29 @@ Html RunDocument::most_hits() const {
     if (overview_.worst().empty()) {
         return {};
     }
+    if (job_.scene) {
+        return most_hits_of_scene();
+    }
     std::vector<std::vector<Html>> rows{html_texts({"bundle", "hits"})};
     for (const ScenarioResult& result : overview_.worst()) {
         rows.push_back(html_texts({names_.label_of(result.index), grouped(result.pair_count)}));
+    }
+    return html_section("Most hits", html_table(rows, "groups"));
+}
+
+/// Lists the bundles with most hits of a body, by step, body and direction.
+Html RunDocument::most_hits_of_scene() const {
+    const auto views = views_of(job_.spec, *job_.meshes[0]);
+    const StepIndex& steps = *job_.scene->steps;
+    std::vector<std::vector<Html>> rows{
+        html_texts({"scenario", "step", "body", "direction", "hits"})};
+    for (const ScenarioResult& result : overview_.worst()) {
+        const std::uint64_t bundle = result.step.value_or(0) % views->bundles();
+        rows.push_back(html_texts({names_.label_of(result.index),
+                                   std::to_string(steps.step_of(result.index)),
+                                   short_name(job_.names[result.body_a]),
+                                   views->direction_text(views->view_of(bundle)),
+                                   grouped(result.pair_count)}));
     }
     return html_section("Most hits", html_table(rows, "groups"));
 }

@@ -57,6 +57,7 @@ class RunDocument {
     [[nodiscard]] Html worst();
     /// Returns the table of the bundles of lines with most hits.
     [[nodiscard]] Html most_hits() const;
+    [[nodiscard]] Html most_hits_of_scene() const;
     [[nodiscard]] Result<Html> charts(const StopCheck& stop) const;
     [[nodiscard]] Html how_it_ran() const;
 

@@ -15,18 +15,6 @@ namespace {
 
 constexpr std::size_t parts_max = 100;
 
-/// What reading the records of lines needs.
-struct ShotsOfJob {
-    std::shared_ptr<const ShotViews> views;
-    std::shared_ptr<const PassageFinder> finder;
-};
-
-ShotsOfJob shots_of(const PreparedJob& job) {
-    const auto given = views_of(job.spec.poses, *job.meshes[0]);
-    const auto views = given ? given : std::make_shared<const ShotViews>();
-    return {views, make_finder(*job.meshes[0], job.meshes[1], *views)};
-}
-
 /// Calls `take` with each result.
 template <class Take>
 Status for_each_shot(const RecordFile& records, const StopCheck& stop, Take take) {
@@ -34,8 +22,7 @@ Status for_each_shot(const RecordFile& records, const StopCheck& stop, Take take
         if (stop && stop()) {
             return interrupted();
         }
-        take(record.result);
-        return Done{};
+        return take(record.result);
     });
 }
 
@@ -48,25 +35,26 @@ std::string file_name_of(const ShotView& view) {
 
 Result<ShotsSections>
 ShotsSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
-    const auto [views, finder] = shots_of(job);
-    ShotSums sums(finder, *views, job.spec.unit);
-    ThicknessPictures pictures(finder, views);
-    CD_TRY(for_each_shot(records, stop, [&](const ScenarioResult& result) {
-        sums.add(result);
-        pictures.add(result);
+    const auto shots = std::make_shared<const ShotJob>(export_context(job));
+    const ShotViews& views = shots->views();
+    ShotSums sums(shots, job.spec.unit);
+    ThicknessPictures pictures(shots);
+    CD_TRY(for_each_shot(records, stop, [&](const ScenarioResult& result) -> Status {
+        CD_TRY(sums.add(result));
+        return pictures.add(result);
     }));
+    sums.finish();
+    pictures.finish();
     ShotsSections sections;
+    sections.is_scene_ = job.scene.has_value();
     sections.unit_ = job.spec.unit;
     sections.parts_ = sums.parts();
-    sections.directions_ = views->count();
+    sections.directions_ = views.count();
     for (std::uint32_t i = 0; i < pictures.count(); ++i) {
-        const ShotView& view = views->view(i);
         View shown;
         shown.png = CD_TRY(png_bytes(pictures.image(i)));
-        shown.caption = fmt::format("azimuth {:.6g}, elevation {:.6g}: at most {} thick",
-                                    view.azimuth_deg,
-                                    view.elevation_deg,
-                                    sections.length(pictures.largest(i)));
+        shown.caption = views.direction_text(i) + ": at most " +
+                        sections.length(pictures.largest(i)) + " thick";
         sections.views_.push_back(std::move(shown));
     }
     return sections;
@@ -78,7 +66,9 @@ std::string ShotsSections::length(double value) const {
 
 Html ShotsSections::parts() const {
     if (parts_.empty()) {
-        return html_section("Parts that lines cross", paragraph("No line crosses A."));
+        return html_section(
+            "Parts that lines cross",
+            paragraph(is_scene_ ? "No line crosses a body." : "No line crosses A."));
     }
     std::vector<std::vector<Html>> rows{html_texts(
         {"part", "lines", "crossings", "seen area", "mean thickness", "largest thickness"})};
@@ -92,7 +82,9 @@ Html ShotsSections::parts() const {
                                    part.thickness ? length((*part.thickness)[1]) : none}));
     }
     Html content = paragraph("The seen area is that of the cells whose line crosses the part, in "
-                             "the mean over all directions. Only parts with a closed surface have "
+                             "the mean over all directions" +
+                             std::string(is_scene_ ? " and steps" : "") +
+                             ". Only parts with a closed surface have "
                              "a thickness: from where a line enters to where it leaves.");
     content += html_table(rows, "groups");
     if (parts_.size() > parts_max) {
@@ -109,9 +101,13 @@ Html ShotsSections::pictures() const {
     for (const View& view : views_) {
         figures += html_figure(view.png, Html::text(view.caption), view.caption);
     }
-    Html content = paragraph("A as lines from each direction see it. The darker the blue, the "
-                             "thicker are all parts together; grey are surfaces without an "
-                             "inside, white is where no line crosses A." +
+    const std::string seen = is_scene_ ? "The bodies as lines from each direction see them, at the "
+                                         "step where they are thickest. "
+                                       : "A as lines from each direction see it. ";
+    Html content = paragraph(seen +
+                             "The darker the blue, the thicker are all parts together; grey are "
+                             "surfaces without an inside, white is where no line crosses " +
+                             (is_scene_ ? "a body." : "A.") +
                              (directions_ > views_.size()
                                   ? " The first " + std::to_string(views_.size()) + " of " +
                                         counted(directions_, "direction") + "."
@@ -124,15 +120,16 @@ Status write_thickness_pictures(const std::filesystem::path& folder,
                                 const RecordFile& records,
                                 const PreparedJob& job,
                                 const StopCheck& stop) {
-    const auto [views, finder] = shots_of(job);
-    ThicknessPictures pictures(finder, views, large_thickness);
-    CD_TRY(
-        for_each_shot(records, stop, [&](const ScenarioResult& result) { pictures.add(result); }));
+    const auto shots = std::make_shared<const ShotJob>(export_context(job));
+    ThicknessPictures pictures(shots, large_thickness);
+    CD_TRY(for_each_shot(
+        records, stop, [&](const ScenarioResult& result) { return pictures.add(result); }));
+    pictures.finish();
     for (std::uint32_t i = 0; i < pictures.count(); ++i) {
         const Image image = pictures.image(i);
         const auto side = static_cast<unsigned>(large_thickness.side);
         const unsigned times = std::max(1u, side / std::max(image.width, image.height));
-        CD_TRY(write_png(enlarged(image, times), folder / file_name_of(views->view(i))));
+        CD_TRY(write_png(enlarged(image, times), folder / file_name_of(shots->views().view(i))));
     }
     return Done{};
 }

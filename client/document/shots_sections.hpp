@@ -1,5 +1,5 @@
 // What a report says of shot lines: a table of the parts that they cross, and pictures of how thick
-// the body is.
+// the bodies are.
 #pragma once
 
 #include "client/document/html.hpp"
@@ -44,6 +44,7 @@ class ShotsSections {
     std::vector<ShotPart> parts_;
     std::vector<View> views_;
     std::size_t directions_ = 0;
+    bool is_scene_ = false;
 };
 
 /// Writes a large picture of the thickness in each of the first 64 directions into a folder, such

@@ -73,12 +73,13 @@ std::string verdict_text(const Summary& summary, const std::string& clearance) {
            " of " + counted(summary.total, "scenario") + rest;
 }
 
-std::string shots_verdict_text(const Summary& summary) {
+std::string shots_verdict_text(const Summary& summary, const std::string& target) {
     const std::string rest = rest_text(summary);
-    return summary.contact == 0 ? "No line hits A in " + counted(summary.tested(), "bundle") + rest
-                                : "Lines hit A in " + grouped(summary.contact) + " of " +
-                                      counted(summary.total, "bundle") + ", with " +
-                                      counted(summary.pairs, "hit") + rest;
+    return summary.contact == 0
+               ? "No line hits " + target + " in " + counted(summary.tested(), "bundle") + rest
+               : "Lines hit " + target + " in " + grouped(summary.contact) + " of " +
+                     counted(summary.total, "bundle") + ", with " + counted(summary.pairs, "hit") +
+                     rest;
 }
 
 std::vector<std::string>

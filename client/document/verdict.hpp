@@ -13,8 +13,9 @@ namespace cd {
 /// is that of the query with its unit, such as "0.005 m", or empty.
 [[nodiscard]] std::string verdict_text(const Summary& summary, const std::string& clearance = "");
 
-/// Returns one sentence about how many bundles of lines hit anything.
-[[nodiscard]] std::string shots_verdict_text(const Summary& summary);
+/// Returns one sentence about how many bundles of lines hit anything: `target` is "A", or in a
+/// scene "a body".
+[[nodiscard]] std::string shots_verdict_text(const Summary& summary, const std::string& target);
 
 /// Returns a sentence for each thing that the run did not test, or did not list. `no_groups`
 /// says why the groups are unknown, and is empty if they are known.

@@ -14,9 +14,8 @@ class ScenariosCsvWriter final : public ResultWriter {
   public:
     ScenariosCsvWriter(const ExportContext& context, OutputFile file)
         : file_(std::move(file)),
+          context_(context),
           steps_(context.steps),
-          has_near_(context.clearance.has_value()),
-          has_distance_(context.has_distance()),
           has_hits_(context.question == Question::Shots),
           times_(context.has_motions() ? std::optional(context.times) : std::nullopt) {
         for (const ExportBody& body : context.bodies) {
@@ -33,15 +32,18 @@ class ScenariosCsvWriter final : public ResultWriter {
         if (result.level != Level::Any) {
             row_.add(result.pair_count);
         }
-        row_.add(has_near_ ? "," : "");
-        if (has_near_ && result.level != Level::Any) {
+        row_.add(context_.clearance ? "," : "");
+        if (context_.clearance && result.level != Level::Any) {
             row_.add(result.near_count);
         }
-        if (has_distance_) {
+        if (context_.has_distance()) {
             add_nearest(result.nearest);
         }
         if (has_hits_) {
             row_.add(",", result.pair_count);
+        }
+        if (const auto bundle = context_.bundle_of(result)) {
+            row_.add(",", *bundle);
         }
         if (times_) {
             add_motion(result);
@@ -107,18 +109,19 @@ class ScenariosCsvWriter final : public ResultWriter {
         }
         has_header_ = true;
         return std::string(steps_ ? "step,time,body_a,body_b,scenario" : "scenario,body_a,body_b") +
-               ",class,count," + (has_near_ ? "near_count," : "") +
-               (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
-               (has_hits_ ? "hits," : "") + (times_ ? "end,t0,t1," : "") +
+               ",class,count," + (context_.clearance ? "near_count," : "") +
+               (context_.has_distance() ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz,"
+                                        : "") +
+               (has_hits_ ? "hits," : "") + (has_hits_ && steps_ ? "bundle," : "") +
+               (times_ ? "end,t0,t1," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
     OutputFile file_;
+    ExportContext context_;
     std::vector<std::string> names_; ///< Names of the bodies as CSV fields.
     TextBuffer row_;
     std::shared_ptr<const StepIndex> steps_; ///< Null for a job of two bodies.
-    bool has_near_;
-    bool has_distance_;
     bool has_hits_;
     std::optional<MotionTimes> times_; ///< Of motions.
     bool has_header_ = false;

@@ -57,6 +57,9 @@ class JsonWriter final : public ResultWriter {
             const std::uint64_t step = context_.steps->step_of(result.index);
             line["step"] = step;
             line["time"] = context_.steps->time_of(step);
+            if (const auto bundle = context_.bundle_of(result)) {
+                line["bundle"] = *bundle;
+            }
         }
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;

@@ -98,14 +98,15 @@ Status ResultSink::add_writers() {
 }
 
 Status ResultSink::add_shot_writers() {
-    const ShotViews views = context_.bodies[1].views ? *context_.bodies[1].views : ShotViews();
-    const auto finder = make_finder(*context_.bodies[0].mesh, context_.bodies[1].mesh, views);
-    shots_.emplace(finder, views, context_.unit);
+    const auto job = std::make_shared<const ShotJob>(context_);
+    if (job->knows_ends()) {
+        shots_.emplace(job, context_.unit);
+    }
     if (has_format("npz")) {
         writers_.push_back(make_shots_npz_writer(context_, options_.dir));
     }
     if (has_format("csv-pairs")) {
-        writers_.push_back(CD_TRY(make_shotlines_writer(context_, finder, options_.dir)));
+        writers_.push_back(CD_TRY(make_shotlines_writer(job, options_.dir)));
     }
     return Done{};
 }
@@ -165,7 +166,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     keep_first(context_.times.event(result), first_event_);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     if (shots_) {
-        shots_->add(result);
+        CD_TRY(shots_->add(result));
     }
     if (context_.map_use().has_map()) {
         add_to_maps(result, found);
@@ -218,6 +219,9 @@ GroupsOrigin ResultSink::groups_origin() const {
 Status ResultSink::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         CD_TRY(writer->finish());
+    }
+    if (shots_) {
+        shots_->finish();
     }
     if (scene_) {
         CD_TRY(scene_->finish());

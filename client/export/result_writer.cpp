@@ -32,10 +32,16 @@ std::string plain_file_name(const std::string& name) {
 
 void ExportContext::describe(const Query& query) {
     level = query.level;
-    listed = {query.limit_pairs, query.maps};
+    listed = {query.limit_pairs, query.maps, query.first_hits};
     clearance = query.clearance;
     question = query.question;
     up_to = query.up_to;
+}
+
+std::optional<std::uint64_t> ExportContext::bundle_of(const ScenarioResult& result) const {
+    const auto& views = bodies.back().views;
+    return steps && views && result.step ? std::optional(*result.step % views->bundles())
+                                         : std::nullopt;
 }
 
 std::string body_file_name(const std::vector<ExportBody>& bodies, std::size_t body) {

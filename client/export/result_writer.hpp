@@ -9,6 +9,7 @@
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
@@ -32,12 +33,16 @@ struct ExportBody {
     bool is_rounded = false;                     ///< Coordinates were rounded to floats on request.
     bool is_fixed = false;                       ///< In a scene: its pose is the same at all steps.
     std::shared_ptr<const ShotViews> views = {}; ///< Of the body of lines; null for other bodies.
+    /// Of the body of lines in a scene: where it and the others stand in each scenario; null where
+    /// that is not at hand.
+    std::shared_ptr<PoseSource> poses = {};
 };
 
 /// Which pairs of triangles are told.
 struct ListedPairs {
     std::uint64_t limit_pairs = 0; ///< A result lists at most this many pairs; 0: all.
     bool maps = false;             ///< The job has a contact map also at `level count`.
+    bool first_hits = false;       ///< Of lines: only the first crossing of each.
 };
 
 /// What exports say about the job besides its results.
@@ -61,6 +66,9 @@ struct ExportContext {
 
     /// Sets from the query what the context has of it.
     void describe(const Query& query);
+    /// Returns the number of a result's bundle of lines in its step; nothing unless the job is a
+    /// scene with lines.
+    [[nodiscard]] std::optional<std::uint64_t> bundle_of(const ScenarioResult& result) const;
     [[nodiscard]] MapUse map_use() const { return {level, listed.maps, steps != nullptr}; }
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
     [[nodiscard]] bool has_motions() const { return question == Question::Motion; }
@@ -100,8 +108,8 @@ class ResultWriter {
                                                              OutputFile file);
 /// Writes scenarios.csv. Of a scene, the step, its time and the bodies are the first columns.
 /// distance_bound is empty unless the class is undecided. With a clearance it has the column
-/// near_count; with the question of shots the column hits; with that of the distance columns of the
-/// nearest points, empty without a distance.
+/// near_count; with the question of shots the column hits, and of a scene then the column bundle;
+/// with that of the distance columns of the nearest points, empty without a distance.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.

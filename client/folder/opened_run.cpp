@@ -8,6 +8,7 @@
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "client/scene/mesh_split.hpp"
+#include "client/scene/prepared_scene.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 #include "common/job/poses/poses_hash.hpp"
@@ -77,6 +78,19 @@ import_again(const BodySpec& body, const std::string& unit, const Sha256& expect
     return imported.mesh;
 }
 
+/// Returns the scenarios of a scene: those that its folder keeps, or else those of its files again.
+Result<std::shared_ptr<PoseSource>> poses_of_scene(const OpenedRun& run, const JobSpec& spec) {
+    if (auto kept = CD_TRY(run.kept_poses())) {
+        return std::shared_ptr<PoseSource>(std::move(kept));
+    }
+    auto prepared = CD_TRY(prepare_scene(spec, true, &InterruptGuard::has_come));
+    const Sha256 hash = CD_TRY(hash_of(*prepared.poses, &InterruptGuard::has_come));
+    if (hash != run.manifest().poses.hash) {
+        return changed("a file of the scene's poses or bodies");
+    }
+    return std::shared_ptr<PoseSource>(std::move(prepared.poses));
+}
+
 } // namespace
 
 Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
@@ -114,6 +128,9 @@ Result<std::vector<std::shared_ptr<const Mesh>>> OpenedRun::meshes() const {
         if (!known.contains(wanted.mesh)) {
             if (const auto kept = CD_TRY(kept_mesh(wanted))) {
                 known.emplace(wanted.mesh, kept);
+            } else if (manifest_.scene && body + 1 == manifest_.bodies.size() &&
+                       manifest_.query.question == Question::Shots) {
+                known.emplace(wanted.mesh, CD_TRY(lines_again()));
             } else if (manifest_.scene) {
                 const auto imported =
                     CD_TRY(whole_or_parts(spec_of(wanted, body), manifest_.unit, wanted.mesh));
@@ -156,6 +173,18 @@ OpenedRun::mesh_again(std::size_t body, std::span<const std::shared_ptr<const Me
         return lines->hash() == wanted ? lines : changed_lines(*shots);
     }
     return import_again(job.bodies[body], manifest_.unit, wanted);
+}
+
+Result<std::shared_ptr<const Mesh>> OpenedRun::lines_again() const {
+    const auto job = CD_TRY(spec());
+    const ShotsSpec* const shots = shots_of(job);
+    if (shots == nullptr || !shots->box) {
+        return damaged(dir_ / "run.json", "its job has no lines, or not the box that they cover");
+    }
+    Mesh lines = CD_TRY(shot_mesh(*shots, *shots->box));
+    return lines.hash() == manifest_.bodies.back().mesh
+               ? std::make_shared<const Mesh>(std::move(lines))
+               : changed_lines(*shots);
 }
 
 Result<std::optional<JobScene>> OpenedRun::scene() const {
@@ -282,7 +311,10 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     }
     if (manifest.query.question == Question::Shots) {
         const auto job = CD_TRY(run.spec());
-        context.bodies[1].views = views_of(job.poses, *context.bodies[0].mesh);
+        context.bodies.back().views = views_of(job, *context.bodies[0].mesh);
+        if (job.scene) {
+            context.bodies.back().poses = CD_TRY(poses_of_scene(run, job));
+        }
     }
     return context;
 }

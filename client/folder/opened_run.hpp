@@ -58,6 +58,9 @@ class OpenedRun {
     [[nodiscard]] Result<std::shared_ptr<const Mesh>>
     mesh_again(std::size_t body, std::span<const std::shared_ptr<const Mesh>> before) const;
 
+    /// Makes the lines of a scene again. Errors: as `meshes`; Io.
+    [[nodiscard]] Result<std::shared_ptr<const Mesh>> lines_again() const;
+
     std::filesystem::path dir_;
     RunManifest manifest_;
     RecordFile records_;

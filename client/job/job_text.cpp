@@ -71,13 +71,24 @@ std::string axis_text(std::string_view key, const GridAxis& axis) {
                                std::to_string(axis.count) + "]");
 }
 
+/// Returns the line of the box that lines of a scene cover; empty without one.
+std::string box_text(const ShotsSpec& shots) {
+    if (!shots.box) {
+        return {};
+    }
+    const auto& [low, high] = *shots.box;
+    return toml_line("box",
+                     toml_list(std::array{low.x(), low.y(), low.z(), high.x(), high.y(), high.z()},
+                               toml_number));
+}
+
 std::string poses_text(const ShotsSpec& shots) {
     if (!shots.is_grid()) {
-        return toml_line("file", toml_quoted(shots.file.string())) +
+        return box_text(shots) + toml_line("file", toml_quoted(shots.file.string())) +
                (shots.form == LineForm::Rays ? toml_line("form", toml_quoted("rays")) : "");
     }
     const LineGrid& grid = shots.grid;
-    std::string text = toml_line("spacing", toml_number(grid.spacing)) +
+    std::string text = box_text(shots) + toml_line("spacing", toml_number(grid.spacing)) +
                        toml_line("tile", std::to_string(grid.tile));
     if (grid.jitter_seed) {
         text += toml_line("jitter", "{ seed = " + std::to_string(*grid.jitter_seed) + " }");
@@ -161,6 +172,7 @@ std::string job_text(const JobSpec& spec) {
     std::string text =
         toml_line("name", toml_quoted(spec.name)) + toml_line("unit", toml_quoted(spec.unit));
     text += spec.scene ? scene_text(*spec.scene) : two_bodies_text(spec);
+    text += spec.scene && spec.scene->shots ? shots_text(*spec.scene->shots, spec.query) : "";
     return text + query_text(spec) + (spec.output.dir.empty() ? "" : output_text(spec.output)) +
            cluster_text(spec.cluster);
 }

@@ -39,13 +39,6 @@ std::string declared_unit(const DeclaredFrame& declared) {
     return declared.metres > 0 ? exact_text(declared.metres) + " m" : "";
 }
 
-/// Counts the directions and bundles of lines: "72 azimuths, 13 elevations"; empty for a file.
-std::string views_text(const ShotsSpec& shots) {
-    return shots.is_grid() ? counted(shots.azimuth_deg.count, "azimuth") + ", " +
-                                 counted(shots.elevation_deg.count, "elevation")
-                           : "lines of " + shots.file.filename().string();
-}
-
 /// How each body's mesh file was interpreted, for messages.
 using BodyNotes = std::array<std::vector<std::string>, 2>;
 
@@ -232,8 +225,8 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     for (const std::string& warning : scene.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
-    if (const auto moved = scene.poses->moved()) {
-        job.warnings.push_back("note: " + keys_text(*moved, job.spec.unit));
+    if (scene.facts.moved) {
+        job.warnings.push_back("note: " + keys_text(*scene.facts.moved, job.spec.unit));
     }
     job.query = job.spec.query;
     job.query.ignored = scene.ignored;
@@ -243,7 +236,15 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     for (const NamedBody& body : scene.scene.bodies) {
         files.push_back(job.spec.scene->bodies[body.entry].mesh);
     }
-    job.scene = JobScene{std::move(files), scene.are_fixed, scene.poses->steps(), scene.head};
+    if (scene.lines) {
+        BodySpec lines;
+        lines.path = scene.lines->spec.file;
+        files.push_back(std::move(lines));
+        job.names.emplace_back(lines_name);
+        job.meshes.push_back(scene.lines->mesh);
+        job.spec.scene->shots = scene.lines->spec;
+    }
+    job.scene = JobScene{std::move(files), scene.are_fixed, scene.steps, scene.head};
     job.poses = std::move(scene.poses);
     if (trees == Trees::Always) {
         const SlowNote note(
@@ -327,10 +328,11 @@ Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& 
     return std::make_shared<const Mesh>(std::move(lines));
 }
 
-std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a) {
-    const auto* shots = std::get_if<ShotsSpec>(&spec);
+std::shared_ptr<const ShotViews> views_of(const JobSpec& spec, const Mesh& a) {
+    const ShotsSpec* const shots = shots_of(spec);
     return shots == nullptr ? nullptr
-                            : std::make_shared<const ShotViews>(*shots, bounding_box(a.vertices()));
+                            : std::make_shared<const ShotViews>(
+                                  *shots, shots->box.value_or(bounding_box(a.vertices())));
 }
 
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
@@ -361,8 +363,9 @@ void make_paths_absolute(JobSpec& spec) {
         body->path =
             body->path.empty() ? body->path : std::filesystem::path(absolute_path(body->path));
     }
-    if (auto* shots = std::get_if<ShotsSpec>(&spec.poses); shots != nullptr && !shots->is_grid()) {
-        shots->file = absolute_path(shots->file);
+    if (const ShotsSpec* const shots = shots_of(spec); shots != nullptr && !shots->is_grid()) {
+        const std::filesystem::path file = absolute_path(shots->file);
+        (spec.scene ? *spec.scene->shots : std::get<ShotsSpec>(spec.poses)).file = file;
     }
     if (auto* file = std::get_if<PoseFileSpec>(&spec.poses);
         file != nullptr && !file->path.empty()) {
@@ -388,7 +391,8 @@ void make_paths_absolute(PreparedJob& job) {
     make_paths_absolute(job.spec);
     if (job.scene) {
         for (BodySpec& file : job.scene->files) {
-            file.path = absolute_path(file.path);
+            file.path =
+                file.path.empty() ? file.path : std::filesystem::path(absolute_path(file.path));
         }
     }
 }
@@ -400,6 +404,7 @@ ExportContext export_context(const PreparedJob& job) {
     context.describe(job.query);
     context.exact_points = job.spec.output.exact_points;
     context.stop = &InterruptGuard::has_come;
+    const std::size_t last = job.meshes.size() - 1;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
         const BodySpec& body = body_spec(job, i);
         context.bodies.push_back({job.scene ? job.names[i] : export_name(job.spec, i),
@@ -407,9 +412,12 @@ ExportContext export_context(const PreparedJob& job) {
                                   job.meshes[i],
                                   body.rounds_to_float,
                                   job.scene && job.scene->are_fixed[i],
-                                  i == 1 ? views_of(job.spec.poses, *job.meshes[0]) : nullptr});
+                                  i == last ? views_of(job.spec, *job.meshes[0]) : nullptr});
     }
     context.steps = job.scene ? job.scene->steps : nullptr;
+    if (job.scene && job.query.question == Question::Shots) {
+        context.bodies.back().poses = {std::shared_ptr<PoseSource>(), job.poses.get()};
+    }
     if (job.query.motion) {
         context.times = job.scene ? MotionTimes(job.scene->steps)
                                   : MotionTimes(std::make_shared<const PoseLabels>(job.labels));

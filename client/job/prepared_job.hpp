@@ -91,8 +91,9 @@ void make_paths_absolute(PreparedJob& job);
 /// `shot_mesh`.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& a);
 
-/// Returns the directions of the lines of [shots] for the mesh of A; null for other poses.
-[[nodiscard]] std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a);
+/// Returns the directions of the lines of [shots], which cover the box of the job or, if it has
+/// none, the mesh of A; null for a job without lines.
+[[nodiscard]] std::shared_ptr<const ShotViews> views_of(const JobSpec& spec, const Mesh& a);
 
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
@@ -100,6 +101,8 @@ void make_paths_absolute(PreparedJob& job);
 /// Returns how a body's mesh file is read.
 [[nodiscard]] const BodySpec& body_spec(const PreparedJob& job, std::size_t body);
 
+/// Returns what exports say of a job. Of a scene with lines it refers to the job's poses, which
+/// outlive it.
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 /// Returns the names of the bodies' files, without endings (`body_file_name`).
 [[nodiscard]] std::array<std::string, 2> body_file_names(const PreparedJob& job);

@@ -6,6 +6,7 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <ranges>
 #include <utility>
@@ -199,12 +200,69 @@ class RuleExpansion {
     BodyRules made_;
 };
 
+/// Adds the lines to the bodies of a scene. The mesh has as many lines as that of the job, which
+/// waits for the rules: they tell what lines have to cover.
+Result<SceneBodies> with_lines(const SceneSpec& scene, SceneBodies bodies) {
+    constexpr double any = 1;
+    const Aabb box{Vec3::Constant(-any), Vec3::Constant(any)};
+    Mesh lines = CD_TRY(shot_mesh(*scene.shots, scene.shots->box.value_or(box)));
+    bodies.bodies.push_back({std::string(lines_name),
+                             {},
+                             static_cast<std::uint32_t>(scene.bodies.size()),
+                             static_cast<std::uint32_t>(bodies.meshes.size())});
+    bodies.meshes.push_back(std::make_shared<const Mesh>(std::move(lines)));
+    return bodies;
+}
+
+/// Returns whether a rule names the last body, or a part of it. The rule has been resolved.
+bool names_last(const SceneRule& rule, const SceneBodies& bodies) {
+    return std::ranges::any_of(std::array{&rule.one, &rule.other}, [&](const std::string* text) {
+        const auto named = RulePattern::from_text(*text).bodies_of(bodies);
+        return named && named.value().back() + 1 == bodies.bodies.size();
+    });
+}
+
 } // namespace
 
 Result<BodyRules> apply_rules(const RulesSpec& rules,
                               const SceneBodies& scene,
                               const std::filesystem::path& job_file) {
     return RuleExpansion(rules, scene, job_file).run();
+}
+
+Result<BodyRules> apply_rules_of_lines(const SceneSpec& scene,
+                                       const SceneBodies& bodies,
+                                       const std::filesystem::path& job_file) {
+    if (scene.rules.order.empty()) {
+        return BodyRules{PairSet(bodies.bodies.size() + 1), {}, {}};
+    }
+    const SceneBodies all = CD_TRY(with_lines(scene, bodies));
+    auto rules = CD_TRY(apply_rules(scene.rules, all, job_file));
+    for (const SceneRule& rule : scene.rules.order) {
+        if (!names_last(rule, all)) {
+            return error_in_job(job_file,
+                                rule.line,
+                                "[rules] " + rule_text(rule) +
+                                    ": with [shots], bodies are tested against \"lines\" alone, "
+                                    "and neither name is that of the lines; write { ignore = "
+                                    "[\"body\", \"lines\"] }, or leave out the rule");
+        }
+    }
+    const auto lines = static_cast<std::uint32_t>(bodies.bodies.size());
+    PairSet ignored(all.bodies.size());
+    for (std::uint32_t body = 0; body < lines; ++body) {
+        if (rules.ignored.has({body, lines})) {
+            ignored.add({&body, 1}, {&lines, 1});
+        }
+    }
+    if (ignored.count() == lines) {
+        return bad_input(job_file,
+                         "[rules] ignore every body with \"lines\", so that lines can hit none; "
+                         "leave out a rule, or test a body with them");
+    }
+    rules.ignored = std::move(ignored);
+    std::erase_if(rules.ranges, [&](const IgnoredRange& range) { return range.body_b != lines; });
+    return rules;
 }
 
 } // namespace cd

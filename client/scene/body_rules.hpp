@@ -4,6 +4,7 @@
 #include "client/scene/ignored_areas.hpp"
 #include "client/scene/scene_bodies.hpp"
 #include "client/spec/rules_spec.hpp"
+#include "client/spec/scene_spec.hpp"
 #include "common/core/result.hpp"
 #include "common/scene/pair_set.hpp"
 
@@ -36,5 +37,12 @@ struct BodyRules {
 [[nodiscard]] Result<BodyRules> apply_rules(const RulesSpec& rules,
                                             const SceneBodies& scene,
                                             const std::filesystem::path& job_file);
+
+/// Applies the rules of a scene with lines, which are a body after all others. The result has that
+/// body, too, and only pairs of which it is one. Errors: as `apply_rules`; BadInput naming the line
+/// for a rule that does not name the lines, and where the rules leave no body that lines may hit.
+[[nodiscard]] Result<BodyRules> apply_rules_of_lines(const SceneSpec& scene,
+                                                     const SceneBodies& bodies,
+                                                     const std::filesystem::path& job_file);
 
 } // namespace cd

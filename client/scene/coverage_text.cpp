@@ -22,11 +22,11 @@ StepCoverage sum_over(const StepIndex& steps) {
 }
 
 /// Names the bodies that are absent at some step; empty if there is none.
-std::string absences_text(const ScenePoses& poses, const SceneBodies& scene) {
+std::string absences_text(std::span<const std::uint64_t> absences, const SceneBodies& scene) {
     std::string text;
     std::size_t absent = 0;
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        const std::uint64_t steps = poses.absences()[body];
+        const std::uint64_t steps = absences[body];
         if (steps == 0 || ++absent > bodies_named_max) {
             continue;
         }
@@ -48,18 +48,20 @@ std::string coverage_line(const StepCoverage& coverage) {
     return text;
 }
 
-std::string
-coverage_text(const ScenePoses& poses, const SceneBodies& scene, const std::string& indent) {
-    const auto steps = poses.steps()->coverage();
-    std::string text = indent + coverage_line(sum_over(*poses.steps())) + "\n";
-    if (steps.size() > 1) {
-        const auto most = std::ranges::max_element(steps, {}, &StepCoverage::tested);
+std::string coverage_text(const StepIndex& steps,
+                          std::span<const std::uint64_t> absences,
+                          const SceneBodies& scene,
+                          const std::string& indent) {
+    const auto coverage = steps.coverage();
+    std::string text = indent + coverage_line(sum_over(steps)) + "\n";
+    if (coverage.size() > 1) {
+        const auto most = std::ranges::max_element(coverage, {}, &StepCoverage::tested);
         text += indent + "most at step " +
-                grouped(static_cast<std::uint64_t>(most - steps.begin())) + ": " +
+                grouped(static_cast<std::uint64_t>(most - coverage.begin())) + ": " +
                 coverage_line(*most) + "\n";
     }
-    const std::string absences = absences_text(poses, scene);
-    return text + (absences.empty() ? "" : indent + "absent: " + absences + "\n");
+    const std::string absent = absences_text(absences, scene);
+    return text + (absent.empty() ? "" : indent + "absent: " + absent + "\n");
 }
 
 std::string coverage_row(const StepIndex& steps, std::uint64_t step) {

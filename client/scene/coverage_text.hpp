@@ -2,9 +2,10 @@
 #pragma once
 
 #include "client/scene/scene_bodies.hpp"
-#include "common/scene/scene_poses.hpp"
+#include "common/scene/step_index.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace cd {
@@ -14,10 +15,12 @@ namespace cd {
 [[nodiscard]] std::string coverage_line(const StepCoverage& coverage);
 
 /// Returns the coverage of all steps together, of the step with the most pairs, and of the bodies
-/// that are absent at some step, in lines with newlines that begin with `indent`. Of many absent
-/// bodies, the first are named.
-[[nodiscard]] std::string
-coverage_text(const ScenePoses& poses, const SceneBodies& scene, const std::string& indent);
+/// that are absent at some step, in lines with newlines that begin with `indent`. `absences` has
+/// for each body at how many steps it is absent. Of many absent bodies, the first are named.
+[[nodiscard]] std::string coverage_text(const StepIndex& steps,
+                                        std::span<const std::uint64_t> absences,
+                                        const SceneBodies& scene,
+                                        const std::string& indent);
 
 /// The columns of CSV tables about steps: the numbers of pairs of bodies by `StepCoverage`.
 inline constexpr const char* coverage_columns = "step,time,tested,apart,ignored,fixed,absent";

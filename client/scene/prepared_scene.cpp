@@ -8,6 +8,7 @@
 #include "common/core/errors.hpp"
 #include "common/motion/motion_bound.hpp"
 #include "common/scene/scene_head.hpp"
+#include "common/scene/scene_poses.hpp"
 #include "common/scene/swept_box.hpp"
 
 #include <utility>
@@ -59,6 +60,55 @@ std::vector<Sha256> hashes_of(const SceneBodies& scene) {
     return hashes;
 }
 
+/// Takes the scenarios of pairs of bodies.
+Status take_pairs(const Query& query,
+                  PairSet ignored,
+                  std::unique_ptr<StepPoses> poses,
+                  const StopCheck& stop,
+                  PreparedScene& prepared) {
+    prepared.head = scene_head(hashes_of(prepared.scene),
+                               prepared.are_fixed,
+                               steps_tested(query, poses->steps()),
+                               ignored,
+                               prepared.ignored);
+    auto made = CD_TRY(ScenePoses::create(
+        scene_of(placed(prepared.scene, prepared.are_fixed), std::move(ignored), query),
+        std::move(poses),
+        stop));
+    prepared.steps = made->steps();
+    prepared.facts.absences.assign(made->absences().begin(), made->absences().end());
+    prepared.facts.moved = made->moved();
+    prepared.poses = std::move(made);
+    return Done{};
+}
+
+/// Takes the scenarios of bodies and lines. `ignored` has the lines as the last body.
+Status take_lines(const JobSpec& spec,
+                  const PairSet& ignored,
+                  std::unique_ptr<StepPoses> poses,
+                  const StopCheck& stop,
+                  PreparedScene& prepared) {
+    const auto lines = static_cast<std::uint32_t>(prepared.scene.bodies.size());
+    LineTargets targets{placed(prepared.scene, prepared.are_fixed), {}};
+    for (std::uint32_t body = 0; body < lines; ++body) {
+        targets.are_ignored.push_back(ignored.has({body, lines}));
+    }
+    const std::uint64_t steps = poses->steps();
+    auto standing = CD_TRY(
+        stand_lines(*spec.scene->shots, std::move(targets), std::move(poses), spec.file, stop));
+    prepared.steps = standing.poses->steps();
+    prepared.facts.absences.assign(standing.poses->absences().begin(),
+                                   standing.poses->absences().end());
+    prepared.poses = std::move(standing.poses);
+    prepared.lines = std::move(standing.lines);
+    prepared.are_fixed.push_back(false);
+    std::vector<Sha256> hashes = hashes_of(prepared.scene);
+    hashes.push_back(prepared.lines->mesh->hash());
+    prepared.head = scene_head(
+        hashes, prepared.are_fixed, steps * prepared.lines->bundles, ignored, prepared.ignored);
+    return Done{};
+}
+
 /// Reads the vehicles of SUMO; null if the job has none. Errors: those of `read_fcd_file`.
 Result<std::shared_ptr<const RoadTraffic>> read_traffic(const SceneSpec& scene, bool quiet) {
     if (!scene.fcd) {
@@ -87,7 +137,8 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     auto traffic = CD_TRY(read_traffic(scene, quiet));
     prepared.scene =
         CD_TRY(expand_bodies(scene, read.meshes, spec.file, traffic ? *traffic : RoadTraffic()));
-    auto rules = CD_TRY(apply_rules(scene.rules, prepared.scene, spec.file));
+    auto rules = CD_TRY(scene.shots ? apply_rules_of_lines(scene, prepared.scene, spec.file)
+                                    : apply_rules(scene.rules, prepared.scene, spec.file));
     prepared.effects = std::move(rules.effects);
     prepared.ignored = std::move(rules.ranges);
     prepared.ignored_pairs = rules.ignored.count();
@@ -100,17 +151,14 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     }
     append(prepared.warnings, steps.warnings);
     prepared.zeros = std::move(steps.zeros);
-    prepared.are_fixed = steps.are_fixed;
-    prepared.head = scene_head(hashes_of(prepared.scene),
-                               prepared.are_fixed,
-                               steps_tested(spec.query, steps.poses->steps()),
-                               rules.ignored,
-                               prepared.ignored);
-    prepared.poses = CD_TRY(ScenePoses::create(
-        scene_of(placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), spec.query),
-        std::move(steps.poses),
-        stop));
-    const std::uint64_t count = prepared.poses->steps()->steps();
+    prepared.are_fixed = std::move(steps.are_fixed);
+    if (scene.shots) {
+        CD_TRY(take_lines(spec, rules.ignored, std::move(steps.poses), stop, prepared));
+    } else {
+        CD_TRY(take_pairs(
+            spec.query, std::move(rules.ignored), std::move(steps.poses), stop, prepared));
+    }
+    const std::uint64_t count = prepared.steps->steps();
     if (scene.rules.learn && *scene.rules.learn >= count) {
         return bad_input(spec.file,
                          "[rules] learn = " + std::to_string(*scene.rules.learn) +

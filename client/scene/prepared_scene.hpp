@@ -1,28 +1,45 @@
 // A scene whose inputs have been read and checked.
 #pragma once
 
+#include "client/bundle/scene_lines.hpp"
 #include "client/scene/body_rules.hpp"
 #include "client/scene/scene_bodies.hpp"
 #include "client/spec/job_file.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/result/merge.hpp"
-#include "common/scene/scene_poses.hpp"
+#include "common/scene/step_index.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace cd {
 
+/// What reading the poses of a scene has told.
+struct SceneFacts {
+    std::vector<std::uint64_t> absences; ///< At how many steps each body is absent.
+    /// Of motions: how far the rounding of keys has moved a point of any body, at most.
+    std::optional<double> moved;
+};
+
 struct PreparedScene {
     SceneBodies scene;
-    std::vector<RuleEffect> effects;   ///< Of each rule.
-    std::uint64_t ignored_pairs = 0;   ///< Pairs of bodies that the rules ignore.
+    std::vector<RuleEffect> effects; ///< Of each rule.
+    /// Pairs of bodies that the rules ignore; with lines, bodies that they may not hit.
+    std::uint64_t ignored_pairs = 0;
     std::vector<IgnoredRange> ignored; ///< Ignored parts of other pairs.
-    std::vector<bool> are_fixed;       ///< For each body, whether it has one pose at all steps.
-    std::unique_ptr<ScenePoses> poses; ///< The scenarios of all steps.
+    /// For each body, whether it has one pose at all steps; with lines also for these, which have
+    /// one for each bundle.
+    std::vector<bool> are_fixed;
+    std::unique_ptr<PoseSource> poses; ///< The scenarios of all steps.
+    /// The steps: their scenarios, and what became of all pairs.
+    std::shared_ptr<const StepIndex> steps;
+    SceneFacts facts;
+    std::optional<SceneLines> lines; ///< A body after all of `scene`, with which these are tested.
     SceneHead head;
     std::vector<std::string> zeros;    ///< Columns missing in [poses], which count as 0.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.

@@ -63,6 +63,13 @@ class BodyList {
                     const std::string& name,
                     const std::shared_ptr<const Mesh>& mesh) {
         const SceneBodySpec& spec = scene_.bodies[entry];
+        if (scene_.shots && name == lines_name) {
+            return error_in_job(job_file_,
+                                spec.line,
+                                "[bodies] " + spec.name +
+                                    ": \"lines\" is the name of the lines of [shots]; give the "
+                                    "body another name");
+        }
         const auto [other, is_new] = entries_.try_emplace(name, entry);
         if (!is_new) {
             return error_in_job(job_file_,
@@ -88,12 +95,14 @@ class BodyList {
                                 "[bodies] " + spec.name + ": a job has at most " + grouped(most) +
                                     " " + what);
         };
-        if (made_.bodies.size() > limits::bodies_max) {
-            return too_many("bodies; leave some out", limits::bodies_max);
+        const std::size_t bodies_max = limits::bodies_max - (scene_.shots ? 1 : 0);
+        if (made_.bodies.size() > bodies_max) {
+            return too_many("bodies; leave some out", bodies_max);
         }
-        if (made_.meshes.size() > limits::body_meshes_max) {
+        const std::size_t meshes_max = limits::body_meshes_max - (scene_.shots ? 1 : 0);
+        if (made_.meshes.size() > meshes_max) {
             return too_many("meshes; instances (count) and bodies with one file share a mesh",
-                            limits::body_meshes_max);
+                            meshes_max);
         }
         return Done{};
     }
@@ -118,13 +127,16 @@ Result<SceneBodies> expand_bodies(const SceneSpec& scene,
         CD_TRY(list.add_entry(entry, meshes[entry]));
     }
     SceneBodies made = list.take();
-    if (made.bodies.size() < 2) {
+    const std::size_t least = scene.shots ? 1 : 2;
+    if (made.bodies.size() < least) {
         return error_in_job(job_file,
                             scene.bodies.front().line,
-                            (made.bodies.empty()
-                                 ? std::string("[bodies] has no body")
-                                 : "[bodies] has one body, \"" + made.bodies.front().name + "\"") +
-                                "; at least two are tested against each other");
+                            scene.shots
+                                ? std::string("[bodies] has no body that lines could hit")
+                                : (made.bodies.empty() ? std::string("[bodies] has no body")
+                                                       : "[bodies] has one body, \"" +
+                                                             made.bodies.front().name + "\"") +
+                                      "; at least two are tested against each other");
     }
     return made;
 }

@@ -33,8 +33,8 @@ struct SceneBodies {
 /// Makes the bodies of all entries, in their order: NAME, or NAME.0, NAME.1, ... for instances, or
 /// NAME.PART for each part (`split_mesh`), or the ids of the vehicles that `traffic` gives to the
 /// entry. `meshes` has the mesh of each entry, and equal pointers for equal files. Errors: BadInput
-/// naming the line, for two bodies of one name, for fewer than two bodies, and above
-/// `limits::bodies_max` or `limits::body_meshes_max`.
+/// naming the line, for two bodies of one name, for fewer than two bodies, or
+/// with lines for none, and above `limits::bodies_max` or `limits::body_meshes_max`.
 [[nodiscard]] Result<SceneBodies> expand_bodies(const SceneSpec& scene,
                                                 std::span<const std::shared_ptr<const Mesh>> meshes,
                                                 const std::filesystem::path& job_file,

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cd {
@@ -48,6 +49,11 @@ std::string entries_text(const SceneSpec& spec, const SceneBodies& scene) {
     return text;
 }
 
+std::string lines_text(const SceneLines& lines) {
+    return "lines: " + views_text(lines.spec) + ", " + counted(lines.bundles, "bundle") + " of " +
+           counted(lines.mesh->triangles().size(), "line") + "\n";
+}
+
 std::string rule_line(const SceneRule& rule, const RuleEffect& effect) {
     const bool is_about_parts = RulePattern::from_text(rule.one).has_part() ||
                                 RulePattern::from_text(rule.other).has_part();
@@ -59,8 +65,11 @@ std::string rule_line(const SceneRule& rule, const RuleEffect& effect) {
 
 std::string rules_text(const RulesSpec& rules, const PreparedScene& prepared) {
     const std::uint64_t bodies = prepared.scene.bodies.size();
-    std::string text = "rules: of " + counted(bodies * (bodies - 1) / 2, "pair") + " of bodies " +
-                       grouped(prepared.ignored_pairs) + " are ignored";
+    std::string text = prepared.lines
+                           ? "rules: lines pass by " + grouped(prepared.ignored_pairs) + " of " +
+                                 bodies_counted(bodies)
+                           : "rules: of " + counted(bodies * (bodies - 1) / 2, "pair") +
+                                 " of bodies " + grouped(prepared.ignored_pairs) + " are ignored";
     text += prepared.ignored.empty()
                 ? "\n"
                 : ", and of others " + counted(prepared.ignored.size(), "range") +
@@ -79,11 +88,15 @@ std::string keys_text(double moved, const std::string& unit) {
 }
 
 std::string check_text(const JobSpec& spec, const PreparedScene& prepared) {
-    const ScenePoses& poses = *prepared.poses;
-    return entries_text(*spec.scene, prepared.scene) + rules_text(spec.scene->rules, prepared) +
-           counted(poses.steps()->steps(), "step") + (poses.moved() ? " of motion, " : ", ") +
-           counted(poses.count(), "scenario") + ":\n" + coverage_text(poses, prepared.scene, "  ") +
-           (poses.moved() ? "  " + keys_text(*poses.moved(), spec.unit) + "\n" : "");
+    const StepIndex& steps = *prepared.steps;
+    const std::optional<double>& moved = prepared.facts.moved;
+    return entries_text(*spec.scene, prepared.scene) +
+           (prepared.lines ? lines_text(*prepared.lines) : "") +
+           rules_text(spec.scene->rules, prepared) + counted(steps.steps(), "step") +
+           (moved ? " of motion, " : ", ") + counted(steps.count(), "scenario") +
+           (prepared.lines ? ", each of a body and a bundle" : "") + ":\n" +
+           coverage_text(steps, prepared.facts.absences, prepared.scene, "  ") +
+           (moved ? "  " + keys_text(*moved, spec.unit) + "\n" : "");
 }
 
 } // namespace cd

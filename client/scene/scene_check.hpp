@@ -14,7 +14,8 @@ namespace cd {
 /// Describes a scene in lines with newlines: the bodies by the entries of [bodies]; for each rule
 /// how many pairs of bodies it names, and about how many it decides; the steps, and what becomes of
 /// the pairs of bodies at all of them.
-/// Of motions it also says how far the rounding of keys moves the bodies.
+/// Of motions it also says how far the rounding of keys moves the bodies, and of lines how many
+/// bundles there are.
 [[nodiscard]] std::string check_text(const JobSpec& spec, const PreparedScene& prepared);
 
 } // namespace cd

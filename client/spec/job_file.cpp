@@ -251,6 +251,19 @@ void read_two_bodies(const TomlFields& job, JobSpec& spec) {
     }
 }
 
+/// Reads [shots] of a job with [bodies], if it has that.
+void read_scene_shots(const TomlFields& job, JobSpec& spec) {
+    if (!job.has("shots")) {
+        return;
+    }
+    if (spec.scene->rules.learn) {
+        job.refuse("rules",
+                   "learn lists pairs of bodies, and with [shots] bodies are tested against lines "
+                   "alone; leave out learn");
+    }
+    spec.scene->shots = read_shots(job, spec.file, spec.query);
+}
+
 void read_job(const toml::table& table, JobSpec& spec) {
     const TomlFields job(table,
                          spec.file.string(),
@@ -270,10 +283,8 @@ void read_job(const toml::table& table, JobSpec& spec) {
     spec.name = job.text("name").value_or(spec.file.stem().string());
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     if (job.has("bodies")) {
-        if (job.has("shots")) {
-            job.refuse("shots", "[shots] is for a job with [a]; leave out [shots], or [bodies]");
-        }
         spec.scene = read_scene(job, spec.unit, spec.file);
+        read_scene_shots(job, spec);
         PoseFileSpec file = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
         file.path = spec.scene->fcd ? spec.scene->fcd->path : file.path;
         spec.poses = std::move(file);
@@ -297,6 +308,13 @@ void take_shots(ShotsSpec shots, JobSpec& spec) {
     spec.poses = std::move(shots);
 }
 
+const ShotsSpec* shots_of(const JobSpec& spec) {
+    if (spec.scene) {
+        return spec.scene->shots ? &*spec.scene->shots : nullptr;
+    }
+    return std::get_if<ShotsSpec>(&spec.poses);
+}
+
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;
     return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
@@ -317,6 +335,10 @@ Status check_scene_query(const Query& query) {
     if (query.question == Question::Distance && !query.up_to) {
         return bad_input("with [bodies], level distance needs up_to: pairs of bodies that are "
                          "farther apart get no distance");
+    }
+    if (query.question == Question::Shots && query.maps) {
+        return bad_input("maps count the triangles of one body; with [bodies] leave out maps: the "
+                         "parts that lines cross are in the summary");
     }
     return Done{};
 }

@@ -68,13 +68,16 @@ struct JobSpec {
 /// Makes the lines of [shots] the job's body B, and their bundles its poses.
 void take_shots(ShotsSpec shots, JobSpec& spec);
 
+/// Returns the lines of a job, of two bodies or of a scene; null if it has none.
+[[nodiscard]] const ShotsSpec* shots_of(const JobSpec& spec);
+
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
 /// Returns the mesh files that a job names: those of two bodies, or of the entries of [bodies].
 [[nodiscard]] std::vector<BodySpec*> meshes_of(JobSpec& spec);
 
-/// Refuses what a scene cannot ask: distances without `up_to`. Errors: BadInput.
+/// Refuses what a scene cannot ask: distances without `up_to`, maps of lines. Errors: BadInput.
 [[nodiscard]] Status check_scene_query(const Query& query);
 
 /// Refuses `q` and `claim` for a strategy that ignores them. Errors: BadInput.

@@ -43,6 +43,8 @@ struct SceneSpec {
     std::optional<ScenePosesSpec> poses = std::nullopt;
     std::optional<FcdSpec> fcd = std::nullopt; ///< In the place of `poses`.
     RulesSpec rules;
+    std::optional<ShotsSpec> shots =
+        std::nullopt; ///< Lines, which alone the bodies are tested with.
 };
 
 /// Says why no body may have this name: "a body's name has 1 to 256 bytes"; nothing if one may.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace cd {
 
@@ -14,7 +15,11 @@ namespace {
 
 constexpr std::array<std::string_view, 2> line_forms{"ends", "rays"};
 
+/// Refuses the tables whose place [shots] takes, unless the job has [bodies].
 void refuse_bodies(const TomlFields& job) {
+    if (job.has("bodies")) {
+        return;
+    }
     for (const std::string_view key : {"b", "poses"}) {
         if (job.has(key)) {
             job.refuse(key,
@@ -122,6 +127,23 @@ void read_file(const TomlFields& shots,
     spec.form = shots.word("form", line_forms) == line_forms[1] ? LineForm::Rays : LineForm::Ends;
 }
 
+/// Reads the box that lines of a scene cover.
+void read_box(const TomlFields& job, const TomlFields& shots, ShotsSpec& spec) {
+    const auto numbers = shots.numbers("box", 6, "[x, y, z of the low corner, then of the high]");
+    if (!numbers) {
+        return;
+    }
+    if (!job.has("bodies")) {
+        shots.refuse("box", "box is for a job with [bodies]; lines of two bodies cover A");
+    }
+    const std::vector<double>& n = *numbers;
+    spec.box = Aabb{Vec3(n[0], n[1], n[2]), Vec3(n[3], n[4], n[5])};
+    if ((spec.box->min.array() > spec.box->max.array()).any()) {
+        shots.refuse("box",
+                     "box has the low corner first, and each number of the high one is not less");
+    }
+}
+
 } // namespace
 
 ShotsSpec read_shots(const TomlFields& job, const std::filesystem::path& file, Query& query) {
@@ -138,7 +160,8 @@ ShotsSpec read_shots(const TomlFields& job, const std::filesystem::path& file, Q
                              "elevation_deg",
                              "file",
                              "form",
-                             "first"});
+                             "first",
+                             "box"});
     ShotsSpec spec;
     spec.place = file.string() + ":" + std::to_string(table->source().begin.line) + ": [shots]: ";
     if (const auto name = fields.text("file")) {
@@ -146,6 +169,7 @@ ShotsSpec read_shots(const TomlFields& job, const std::filesystem::path& file, Q
     } else {
         read_grid(fields, spec);
     }
+    read_box(job, fields, spec);
     query.question = Question::Shots;
     query.first_hits = fields.boolean("first").value_or(false);
     return spec;

@@ -9,8 +9,9 @@
 
 namespace cd {
 
-/// Reads [shots], which the job has, and refuses the tables whose place it takes. Sets the question
-/// and the first hits of the query. Paths are relative to the folder of `file`.
+/// Reads [shots], which the job has, and refuses the tables whose place it takes; with [bodies] it
+/// takes none. Sets the question and the first hits of the query. Paths are relative to the folder
+/// of `file`.
 [[nodiscard]] ShotsSpec
 read_shots(const TomlFields& job, const std::filesystem::path& file, Query& query);
 

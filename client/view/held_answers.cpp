@@ -59,10 +59,16 @@ take_parts(const ViewedRun& run, const JobView& job, const Bodies& bodies, const
         CD_TRY(take({path, parts_npy(parts->runs)}));
         CD_TRY(take({path + "/names", bytes_of(part_names_json(parts->names))}));
     }
-    if (job.query.question == Question::Shots) {
-        const std::string path = "jobs/" + job.row.id + "/parts/0/closed";
-        const auto are_closed = CD_TRY(run.closed_parts(0));
-        CD_TRY(take({path, closed_npy(are_closed)}));
+    if (job.query.question != Question::Shots) {
+        return Done{};
+    }
+    for (const std::uint32_t body : bodies) {
+        if (body + 1 == job.bodies.size()) {
+            continue; // The lines.
+        }
+        const std::string path = "jobs/" + job.row.id + "/parts/" + std::to_string(body);
+        const auto are_closed = CD_TRY(run.closed_parts(body));
+        CD_TRY(take({path + "/closed", closed_npy(are_closed)}));
     }
     return Done{};
 }

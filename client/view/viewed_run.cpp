@@ -274,7 +274,7 @@ Result<std::vector<ScenePlace>> ViewedRun::places(const ScenarioChoice& choice) 
     }
     std::vector<ScenePlace> places;
     CD_TRY(for_each_chosen(choice, [&](const std::vector<Scenario>& scenarios) -> Status {
-        const auto some = CD_TRY(scene_places(scenarios));
+        const auto some = CD_TRY(scene_places(scenarios, *job_.scene->steps));
         places.insert(places.end(), some.begin(), some.end());
         return Done{};
     }));
@@ -316,7 +316,7 @@ Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t nu
     ScenarioView view =
         repeat_scenario(TreesByBody(job_.trees), job_.query, scenarios.front(), record, stop);
     add_label(job_.labels, number, view);
-    add_step_time(job_.scene ? job_.scene->steps.get() : nullptr, view);
+    add_step_time(job_.scene ? job_.scene->steps.get() : nullptr, number, view);
     return std::make_shared<const ScenarioView>(std::move(view));
 }
 

@@ -69,7 +69,7 @@ std::uint64_t least_crossings(const Query& query, const ScenarioResult& result) 
 } // namespace
 
 const char* problem_of_hits(const JobMaterial& material, const ScenarioResult& result) {
-    const Mesh& lines = material.trees[1]->mesh();
+    const Mesh& lines = material.trees[result.body_b]->mesh();
     if (!are_within_lines(lines, result)) {
         return "has a hit beyond the end of its line";
     }

@@ -40,6 +40,10 @@ const std::map<std::string, std::string> jobs{
     {"shots",
      "[a]\nmesh = \"a.obj\"\n[shots]\nspacing = 0.125\nazimuth_deg = [0, 90, 2]\n"
      "elevation_deg = [0, 45, 2]\n[query]\nlevel = \"pairs\"\n"},
+    {"lines",
+     "[bodies]\ncar = { mesh = \"a.obj\", count = 3 }\n[poses]\nfile = \"steps.csv\"\n"
+     "[shots]\nspacing = 0.125\ntile = 4\nazimuth_deg = [0, 90, 2]\n"
+     "[query]\nlevel = \"pairs\"\n"},
     {"scene",
      "[bodies]\ncar = { mesh = \"a.obj\", count = 3 }\nwall = { mesh = \"b.obj\", pose = [0, 0, 0, "
      "0, 0, 0, 1], quat_order = \"xyzw\" }\n[poses]\nfile = \"steps.csv\"\n"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/bundle/shot_plan.hpp"
+#include "client/export/result_writer.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/shapes.hpp"
@@ -59,6 +60,16 @@ struct LineScene {
     [[nodiscard]] Aabb box() const { return bounding_box(a->vertices()); }
     [[nodiscard]] std::shared_ptr<const ShotViews> views() const {
         return std::make_shared<const ShotViews>(spec, box());
+    }
+
+    /// Returns what exports know of the lines and the body.
+    [[nodiscard]] ExportContext context() const {
+        ExportContext context;
+        context.bodies = {{"a", "a.obj", a}, {"lines", "", lines}};
+        context.bodies[1].views = views();
+        context.unit = "m";
+        context.describe(shots_query(Level::Pairs));
+        return context;
     }
 
     [[nodiscard]] std::vector<ScenarioResult> results(const Query& query) const {

@@ -26,7 +26,7 @@ Result<int> perform(const CheckCommand& command) {
         std::fprintf(stderr, "%s\n", warning->c_str());
     }
     const std::string text = command.output == "csv"
-                                 ? coverage_csv(*prepared.poses->steps())
+                                 ? coverage_csv(*prepared.steps)
                                  : check_text(spec, prepared) + "nothing was run\n";
     std::fputs(text.c_str(), stdout);
     return exit_done;

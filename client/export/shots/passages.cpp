@@ -3,6 +3,8 @@
 #include "common/geometry/closed_parts.hpp"
 #include "common/shots/line_hit.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -32,6 +34,27 @@ std::vector<std::size_t> crossings_along_lines(const ScenarioResult& result) {
     return order;
 }
 
+/// Returns points of the world in the coordinates of a posed body, rounded.
+Corners in_coordinates_of(const Pose& pose, Corners points) {
+    const Mat3 back = pose.rotation().inverse();
+    for (Vec3& point : points) {
+        point = back * (point - pose.translation());
+    }
+    return points;
+}
+
+/// Returns a box with room for the roundings of `in_coordinates_of`.
+Aabb grown(Aabb box, const Corners& points) {
+    constexpr double slack = 1.0 / (1 << 30);
+    double largest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff();
+    for (const Vec3& point : points) {
+        largest = std::max(largest, point.cwiseAbs().maxCoeff());
+    }
+    box.min.array() -= slack * largest;
+    box.max.array() += slack * largest;
+    return box;
+}
+
 } // namespace
 
 PassageFinder::PassageFinder(const Mesh& mesh, std::shared_ptr<const Mesh> lines)
@@ -46,12 +69,18 @@ PassageFinder::PassageFinder(const Mesh& mesh, std::shared_ptr<const Mesh> lines
     }
 }
 
-bool PassageFinder::starts_and_ends_outside(std::uint32_t line, std::uint32_t part) const {
+bool PassageFinder::starts_and_ends_outside(std::uint32_t line,
+                                            std::uint32_t part,
+                                            const std::optional<Pose>& pose) const {
     if (lines_ == nullptr) {
         return true;
     }
-    const Aabb& box = boxes_[part];
-    const Corners ends = lines_->corners(line);
+    Aabb box = boxes_[part];
+    Corners ends = lines_->corners(line);
+    if (pose) {
+        ends = in_coordinates_of(*pose, ends);
+        box = grown(box, ends);
+    }
     return std::ranges::none_of(ends, [&](const Vec3& end) {
         return (end.array() >= box.min.array()).all() && (end.array() <= box.max.array()).all();
     });
@@ -63,7 +92,8 @@ make_finder(const Mesh& a, const std::shared_ptr<const Mesh>& lines, const ShotV
     return std::make_shared<const PassageFinder>(a, is_grid ? nullptr : lines);
 }
 
-std::vector<Passage> PassageFinder::passages(const ScenarioResult& result) const {
+std::vector<Passage> PassageFinder::passages(const ScenarioResult& result,
+                                             const std::optional<Pose>& pose) const {
     std::vector<Passage> passages;
     std::unordered_map<std::uint32_t, std::size_t> begun; // By part, of the line at hand.
     for (const std::size_t i : crossings_along_lines(result)) {
@@ -78,7 +108,7 @@ std::vector<Passage> PassageFinder::passages(const ScenarioResult& result) const
             begun.erase(found);
             continue;
         }
-        if (are_closed_[part] && !result.is_cut() && starts_and_ends_outside(pair.b, part)) {
+        if (are_closed_[part] && !result.is_cut() && starts_and_ends_outside(pair.b, part, pose)) {
             begun.emplace(part, passages.size());
         }
         passages.push_back({pair.b, part, crossing, std::nullopt});

@@ -5,6 +5,7 @@
 #include "client/groups/body_parts.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/geometry/pose.hpp"
 #include "common/job/result/result.hpp"
 
 #include <cstdint>
@@ -41,7 +42,7 @@ struct Passage {
 /// part, one that is left over, and all of a result that lists not every hit.
 class PassageFinder {
   public:
-    /// `lines` are those of a file, in the mesh's coordinates; null for a grid, whose lines start
+    /// `lines` are those of a file, in the world's coordinates; null for a grid, whose lines start
     /// and end outside. Takes near-linear time in the number of triangles.
     explicit PassageFinder(const Mesh& mesh, std::shared_ptr<const Mesh> lines = nullptr);
 
@@ -49,11 +50,14 @@ class PassageFinder {
     [[nodiscard]] bool is_closed(std::uint32_t part) const { return are_closed_[part]; }
 
     /// Returns the passages of a result of Question::Shots by line, and of each line by where they
-    /// begin.
-    [[nodiscard]] std::vector<Passage> passages(const ScenarioResult& result) const;
+    /// begin. `pose` is that of the mesh; without one it stands at the identity.
+    [[nodiscard]] std::vector<Passage> passages(const ScenarioResult& result,
+                                                const std::optional<Pose>& pose = {}) const;
 
   private:
-    [[nodiscard]] bool starts_and_ends_outside(std::uint32_t line, std::uint32_t part) const;
+    [[nodiscard]] bool starts_and_ends_outside(std::uint32_t line,
+                                               std::uint32_t part,
+                                               const std::optional<Pose>& pose) const;
 
     BodyParts parts_;
     std::vector<bool> are_closed_; ///< Of each part, whether its triangles bound a solid.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
-#include "client/export/shots/passages.hpp"
+#include "client/export/shots/shot_job.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>
@@ -15,10 +15,8 @@ namespace cd {
                                                                   const std::filesystem::path& dir);
 
 /// Writes shotlines.csv: a row for each passage of a line through a part; docs/shots.md describes
-/// its columns. Errors: Io naming the file.
+/// its columns. Errors: Io naming the file; BadInput for a scene whose poses are not at hand.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
-make_shotlines_writer(const ExportContext& context,
-                      std::shared_ptr<const PassageFinder> finder,
-                      const std::filesystem::path& dir);
+make_shotlines_writer(std::shared_ptr<const ShotJob> job, const std::filesystem::path& dir);
 
 } // namespace cd

@@ -2,6 +2,7 @@
 #include "client/formats/npz.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,12 @@ class ShotsNpz final : public ResultWriter {
           depth_(file_.add_array("depth", NpyType::F8)),
           flags_(file_.add_array("flags", NpyType::U1)),
           rank_(file_.add_array("rank", NpyType::U1)) {
+        if (context.steps) {
+            scene_ = SceneArrays{context,
+                                 file_.add_array("step", NpyType::U8),
+                                 file_.add_array("bundle", NpyType::U8),
+                                 file_.add_array("body", NpyType::U4)};
+        }
         append(offsets_, std::vector<std::uint64_t>{0});
     }
 
@@ -40,12 +47,27 @@ class ShotsNpz final : public ResultWriter {
         append(depth_, depths);
         append(flags_, flags);
         append(rank_, ranks);
+        if (scene_) {
+            append(scene_->step,
+                   std::vector<std::uint64_t>{scene_->context.steps->step_of(result.index)});
+            append(scene_->bundle,
+                   std::vector<std::uint64_t>{scene_->context.bundle_of(result).value_or(0)});
+            append(scene_->body, std::vector<std::uint32_t>{result.body_a});
+        }
         return status_;
     }
 
     Status finish() override { return status_ ? file_.finish() : status_; }
 
   private:
+    /// What the archive of a scene has besides.
+    struct SceneArrays {
+        ExportContext context;
+        std::size_t step;
+        std::size_t bundle;
+        std::size_t body;
+    };
+
     template <class T>
     void append(std::size_t array, const std::vector<T>& values) {
         status_ = status_ ? file_.append(array, std::span<const T>(values)) : status_;
@@ -58,6 +80,7 @@ class ShotsNpz final : public ResultWriter {
     std::size_t depth_;
     std::size_t flags_;
     std::size_t rank_;
+    std::optional<SceneArrays> scene_;
     std::uint64_t end_ = 0; ///< Number of hits so far.
     Status status_ = Done{};
 };

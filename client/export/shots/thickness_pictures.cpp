@@ -1,5 +1,7 @@
 #include "client/export/shots/thickness_pictures.hpp"
 
+#include "common/core/errors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,16 +36,16 @@ Colour colour_of(float thickness, double largest) {
 
 } // namespace
 
-ThicknessPictures::ThicknessPictures(std::shared_ptr<const PassageFinder> finder,
-                                     std::shared_ptr<const ShotViews> views,
+ThicknessPictures::ThicknessPictures(std::shared_ptr<const ShotJob> job,
                                      const ThicknessBounds& bounds)
-    : finder_(std::move(finder)), views_(std::move(views)) {
-    if (views_->cell_area() == 0) {
+    : job_(std::move(job)), gatherer_(job_) {
+    const ShotViews& views = job_->views();
+    if (views.cell_area() == 0) {
         return;
     }
-    const std::size_t count = std::min(views_->count(), bounds.views);
+    const std::size_t count = std::min(views.count(), bounds.views);
     for (std::uint32_t view = 0; view < count; ++view) {
-        const LinePlace lines = views_->size(view);
+        const LinePlace lines = views.size(view);
         const std::uint64_t most = std::max(lines.column, lines.row);
         const std::uint64_t lines_of_pixel = (most + bounds.side - 1) / bounds.side;
         Raster raster{lines,
@@ -55,24 +57,37 @@ ThicknessPictures::ThicknessPictures(std::shared_ptr<const PassageFinder> finder
     }
 }
 
-void ThicknessPictures::add(const ScenarioResult& result) {
-    if (views_->view_of(result.index) >= rasters_.size()) {
-        return;
+Status ThicknessPictures::add(const ScenarioResult& result) {
+    if (const auto bundle = CD_TRY(gatherer_.add(result))) {
+        add(*bundle);
     }
-    const std::vector<Passage> passages = finder_->passages(result);
-    for (std::size_t i = 0; i < passages.size();) {
-        const std::uint32_t line = passages[i].line;
-        double thickness = 0;
-        for (; i < passages.size() && passages[i].line == line; ++i) {
-            thickness += passages[i].thickness().value_or(0);
-        }
-        mark(result.index, line, thickness);
+    return Done{};
+}
+
+void ThicknessPictures::finish() {
+    if (const auto bundle = gatherer_.finish()) {
+        add(*bundle);
     }
 }
 
-void ThicknessPictures::mark(std::uint64_t scenario, std::uint32_t line, double thickness) {
-    Raster& raster = rasters_[views_->view_of(scenario)];
-    const LinePlace place = views_->place_of(scenario, line);
+void ThicknessPictures::add(const BundlePassages& bundle) {
+    if (job_->views().view_of(bundle.bundle) >= rasters_.size()) {
+        return;
+    }
+    const std::vector<BodyPassage>& passages = bundle.passages;
+    for (std::size_t i = 0; i < passages.size();) {
+        const std::uint32_t line = passages[i].way.line;
+        double thickness = 0;
+        for (; i < passages.size() && passages[i].way.line == line; ++i) {
+            thickness += passages[i].way.thickness().value_or(0);
+        }
+        mark(bundle.bundle, line, thickness);
+    }
+}
+
+void ThicknessPictures::mark(std::uint64_t bundle, std::uint32_t line, double thickness) {
+    Raster& raster = rasters_[job_->views().view_of(bundle)];
+    const LinePlace place = job_->views().place_of(bundle, line);
     const std::uint64_t x = place.column * raster.width / raster.lines.column;
     const std::uint64_t y = place.row * raster.height / raster.lines.row;
     float& pixel = raster.thickness[y * raster.width + x];

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "client/bundle/shot_plan.hpp"
-#include "client/export/shots/passages.hpp"
+#include "client/export/shots/bundle_passages.hpp"
+#include "client/export/shots/shot_job.hpp"
 #include "client/picture/image.hpp"
+#include "common/core/result.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -21,15 +23,18 @@ struct ThicknessBounds {
 inline constexpr ThicknessBounds large_thickness{64, 1024};
 
 /// Paints for each of the first directions a pixel a line, or for some lines if there are more than
-/// pixels. A pixel shows the largest thickness of all passages of one of its lines together.
+/// pixels. A pixel shows the largest thickness of all passages of one of its lines together, in a
+/// scene through all bodies and at any step.
 class ThicknessPictures {
   public:
-    ThicknessPictures(std::shared_ptr<const PassageFinder> finder,
-                      std::shared_ptr<const ShotViews> views,
-                      const ThicknessBounds& bounds = {});
+    explicit ThicknessPictures(std::shared_ptr<const ShotJob> job,
+                               const ThicknessBounds& bounds = {});
 
-    /// Adds a result of Question::Shots at level pairs.
-    void add(const ScenarioResult& result);
+    /// Adds the next result of Question::Shots at level pairs, in submitted order. Errors: as
+    /// `PassageGatherer::add`.
+    [[nodiscard]] Status add(const ScenarioResult& result);
+    /// Adds what is left of the last bundle.
+    void finish();
 
     /// Returns the number of pictures; 0 for lines of a file.
     [[nodiscard]] std::size_t count() const { return rasters_.size(); }
@@ -48,11 +53,12 @@ class ThicknessPictures {
         std::vector<float> thickness; ///< Below 0: no line of the pixel hits anything.
     };
 
+    void add(const BundlePassages& bundle);
     /// Enters what one line has met.
-    void mark(std::uint64_t scenario, std::uint32_t line, double thickness);
+    void mark(std::uint64_t bundle, std::uint32_t line, double thickness);
 
-    std::shared_ptr<const PassageFinder> finder_;
-    std::shared_ptr<const ShotViews> views_;
+    std::shared_ptr<const ShotJob> job_;
+    PassageGatherer gatherer_;
     std::vector<Raster> rasters_;
 };
 

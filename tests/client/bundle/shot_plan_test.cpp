@@ -116,4 +116,26 @@ TEST(ShotPlan, LinesOfAFileHaveOneViewWithoutCells) {
     EXPECT_EQ(views.rotation(0), Mat3(Mat3::Identity()));
 }
 
+TEST(ShotPlan, LinesStandAlikeIfTheirBundlesDo) {
+    ShotsSpec one = some_grid();
+    one.box = box_of(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    ShotsSpec other = one;
+    other.place = {};
+    EXPECT_TRUE(stand_alike(one, other));
+    other.grid.offset = {0.25, 0.5};
+    EXPECT_TRUE(stand_alike(one, other)) << "lines move within their bundles";
+    other.grid.tile = 8;
+    EXPECT_FALSE(stand_alike(one, other));
+    other = one;
+    other.azimuth_deg.last = 60;
+    EXPECT_FALSE(stand_alike(one, other));
+    other = one;
+    other.box->max.x() = 2;
+    EXPECT_FALSE(stand_alike(one, other));
+    other = {};
+    other.file = "lines.npy";
+    EXPECT_FALSE(stand_alike(one, other));
+    EXPECT_TRUE(stand_alike(other, other));
+}
+
 } // namespace cd::tests

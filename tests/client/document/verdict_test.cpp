@@ -115,12 +115,12 @@ TEST(Verdict, LinesHitInBundles) {
     Summary summary;
     summary.total = 5;
     summary.separate = 5;
-    EXPECT_EQ(shots_verdict_text(summary), "No line hits A in 5 bundles.");
+    EXPECT_EQ(shots_verdict_text(summary, "A"), "No line hits A in 5 bundles.");
     summary.separate = 2;
     summary.contact = 2;
     summary.pairs = 1234;
-    EXPECT_EQ(shots_verdict_text(summary),
-              "Lines hit A in 2 of 5 bundles, with 1 234 hits; 1 has no answer.");
+    EXPECT_EQ(shots_verdict_text(summary, "a body"),
+              "Lines hit a body in 2 of 5 bundles, with 1 234 hits; 1 has no answer.");
     Query query;
     query.question = Question::Shots;
     query.level = Level::Count;

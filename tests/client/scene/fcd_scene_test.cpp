@@ -74,21 +74,18 @@ TEST_F(FcdScene, VehiclesAreBodiesWithTheirIds) {
     EXPECT_EQ(scene.value().scene.bodies[0].group, "traffic");
     EXPECT_EQ(scene.value().scene.bodies[0].mesh, scene.value().scene.bodies[1].mesh);
     EXPECT_THAT(scene.value().are_fixed, ElementsAre(false, false, true));
-    EXPECT_THAT(std::vector<std::uint64_t>(scene.value().poses->absences().begin(),
-                                           scene.value().poses->absences().end()),
-                ElementsAre(0, 1, 0));
+    EXPECT_THAT(scene.value().facts.absences, ElementsAre(0, 1, 0));
 }
 
 TEST_F(FcdScene, TwoVehiclesArePairedWhereTheyMeet) {
     const auto scene = prepared();
     ASSERT_TRUE(scene) << scene.error().detail;
-    ScenePoses& poses = *scene.value().poses;
-    ASSERT_EQ(poses.steps()->steps(), 9u);
+    ASSERT_EQ(scene.value().steps->steps(), 9u);
     // From step 3 on, n covers x in [19, 21] and y in [-4, 0]. e covers x in [4s - 4, 4s] and y in
     // [-1, 1], so they meet at steps 5 and 6; at step 7, n is absent, and at step 8 e has passed.
     std::vector<std::uint64_t> steps;
-    for (std::uint64_t i = 0; i < poses.count(); ++i) {
-        steps.push_back(poses.steps()->step_of(i));
+    for (std::uint64_t i = 0; i < scene.value().poses->count(); ++i) {
+        steps.push_back(scene.value().steps->step_of(i));
     }
     EXPECT_THAT(steps, ElementsAre(5, 6));
 }
@@ -108,7 +105,7 @@ TEST_F(FcdScene, VehiclesThatJumpPastEachOtherArePairedByMotionsAlone) {
     EXPECT_EQ(at_rest.value().poses->count(), 0u);
     const auto moving = prepared("", "[motion]\nresolution = 0.01\n");
     ASSERT_TRUE(moving) << moving.error().detail;
-    EXPECT_EQ(moving.value().poses->steps()->steps(), 1u);
+    EXPECT_EQ(moving.value().steps->steps(), 1u);
     const auto scenarios = moving.value().poses->read(0, 1);
     ASSERT_TRUE(scenarios);
     ASSERT_TRUE(scenarios.value()[0].to);

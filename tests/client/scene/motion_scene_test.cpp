@@ -67,12 +67,12 @@ class MotionScene : public testing::Test {
 
 TEST_F(MotionScene, HasMotionsFromEachStepToTheNext) {
     const PreparedScene scene = prepared(motion);
-    const auto steps = scene.poses->steps();
+    const auto steps = scene.steps;
     ASSERT_EQ(steps->steps(), 2u);
     // From step 0 to 1, car.0 sweeps over car.1, post and wall; these three touch each other.
     EXPECT_EQ(steps->coverage()[0], (StepCoverage{6, 4, 0, 0, 0}));
     EXPECT_EQ(steps->coverage()[1], (StepCoverage{2, 3, 0, 1, 4}));
-    EXPECT_EQ(scene.poses->absences()[2], 1u);
+    EXPECT_EQ(scene.facts.absences[2], 1u);
     EXPECT_EQ(steps->time_at(0, 0.5), 1.0);
     EXPECT_EQ(steps->time_at(1, 0.5), 2.5);
     const auto scenarios = scene.poses->read(0, 1).value();
@@ -82,7 +82,7 @@ TEST_F(MotionScene, HasMotionsFromEachStepToTheNext) {
     EXPECT_EQ(scenarios[0].to->b, scenarios[0].poses.b);
     // Without [motion] the three steps are tested, and car.0 meets nobody.
     const PreparedScene at_rest = prepared("");
-    EXPECT_EQ(at_rest.poses->steps()->steps(), 3u);
+    EXPECT_EQ(at_rest.steps->steps(), 3u);
     const auto resting = at_rest.poses->read(0, at_rest.poses->count()).value();
     EXPECT_FALSE(resting.empty());
     for (const Scenario& scenario : resting) {
@@ -101,11 +101,9 @@ TEST_F(MotionScene, ReachesAsFarAsTheResolutionAndTheClearance) {
     EXPECT_GE(reach_of(query), 2.125);
     EXPECT_LE(reach_of(query), 2.1251);
     // car.2 is 38 from the wall in y.
-    EXPECT_EQ(prepared(motion + "[query]\nlevel = \"any\"\nclearance = 39\n")
-                  .poses->steps()
-                  ->coverage()[0]
-                  .apart,
-              0u);
+    EXPECT_EQ(
+        prepared(motion + "[query]\nlevel = \"any\"\nclearance = 39\n").steps->coverage()[0].apart,
+        0u);
 }
 
 TEST_F(MotionScene, ItsHeadIsNotThatOfTheStepsAtRest) {

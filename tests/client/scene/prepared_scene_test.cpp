@@ -67,9 +67,9 @@ TEST_F(PreparedSceneTest, HasTheScenariosOfItsSteps) {
     EXPECT_EQ(scene.scene.meshes.size(), 2u);
     // Step 0: the cars 0 and 1 touch at x = 1, and the wall overlaps both. Step 1: two cars.
     EXPECT_EQ(pairs_of(scene), (std::vector<BodyPair>{{0, 1}, {0, 3}, {1, 3}, {0, 1}}));
-    EXPECT_EQ(scene.poses->steps()->coverage()[0], (StepCoverage{3, 3, 0, 0, 0}));
-    EXPECT_EQ(scene.poses->steps()->coverage()[1], (StepCoverage{1, 2, 0, 0, 3}));
-    EXPECT_EQ(scene.poses->steps()->time_of(1), 1);
+    EXPECT_EQ(scene.steps->coverage()[0], (StepCoverage{3, 3, 0, 0, 0}));
+    EXPECT_EQ(scene.steps->coverage()[1], (StepCoverage{1, 2, 0, 0, 3}));
+    EXPECT_EQ(scene.steps->time_of(1), 1);
     EXPECT_EQ(scene.zeros, (std::vector<std::string>{"y", "z", "roll", "pitch", "yaw"}));
 }
 
@@ -81,16 +81,13 @@ TEST_F(PreparedSceneTest, RulesTakeScenariosAndPartsAway) {
     EXPECT_EQ(scene.ignored_pairs, 3u);
     ASSERT_EQ(scene.ignored.size(), 3u);
     EXPECT_EQ(scene.ignored[1], (IgnoredRange{0, 1, 0, 4, 1, 3}));
-    EXPECT_EQ(scene.poses->steps()->coverage()[0], (StepCoverage{2, 1, 3, 0, 0}));
+    EXPECT_EQ(scene.steps->coverage()[0], (StepCoverage{2, 1, 3, 0, 0}));
 }
 
 TEST_F(PreparedSceneTest, AClearanceReachesFarther) {
     EXPECT_EQ(prepared("[query]\nclearance = 3\n").poses->count(), 4u);
-    EXPECT_EQ(prepared("[query]\nclearance = 7\n").poses->steps()->coverage()[0].tested, 4u);
-    EXPECT_EQ(prepared("[query]\nlevel = \"distance\"\nup_to = 8.5\n")
-                  .poses->steps()
-                  ->coverage()[0]
-                  .tested,
+    EXPECT_EQ(prepared("[query]\nclearance = 7\n").steps->coverage()[0].tested, 4u);
+    EXPECT_EQ(prepared("[query]\nlevel = \"distance\"\nup_to = 8.5\n").steps->coverage()[0].tested,
               6u);
 }
 
@@ -135,7 +132,7 @@ TEST_F(PreparedSceneTest, TheCheckSaysWhatIsTestedAndByWhichRules) {
         "  2 of 12 pairs tested, 3 apart by their boxes, 4 ignored, 3 of an absent body\n"
         "  most at step 0: 2 of 6 pairs tested, 1 apart by their boxes, 3 ignored\n"
         "  absent: car.2 at 1 step\n");
-    EXPECT_EQ(coverage_csv(*scene.value().poses->steps()),
+    EXPECT_EQ(coverage_csv(*scene.value().steps),
               "step,time,tested,apart,ignored,fixed,absent\n0,0.5,2,1,3,0,0\n1,1,0,2,1,0,3\n");
 }
 

@@ -148,6 +148,27 @@ TEST_F(HitCheck, OfFirstHitsALineHasOneThatCrosses) {
                 HasSubstr("more than first hits"));
 }
 
+TEST_F(HitCheck, TheLinesOfASceneAreTheScenariosBodyB) {
+    ThreadPool pool(1);
+    const auto small = std::make_shared<const ObbTree>(
+        build_tree(share(make_gridded_box(Vec3(0.25, 0.25, 0.25), 1)), BuildOptions{}, pool));
+    JobMaterial material = *material_;
+    material.trees = {material.trees[0], small, material.trees[1]};
+    material_ = std::make_shared<const JobMaterial>(std::move(material));
+    task_.material = material_;
+    Analysis analysis;
+    analysis.scenario.body_b = 2;
+    analysis.scenario.step = 7;
+    task_.analyses = {std::make_shared<const Analysis>(std::move(analysis))};
+    const SubtreePair whole{material_->trees[0]->view(), material_->trees[2]->view()};
+    ScenarioResult result =
+        run_on_subtrees({&whole, 1}, task_.analyses[0]->scenario, material_->query).result;
+    ASSERT_GE(result.hits.size(), 4u);
+    EXPECT_EQ(refusal(result), "taken");
+    result.hits[0].depth = 8.0000001;
+    EXPECT_THAT(refusal(result), HasSubstr("beyond the end of its line"));
+}
+
 TEST_F(HitCheck, AMapCountsEachCrossing) {
     for (const Level level : {Level::Count, Level::Pairs}) {
         SCOPED_TRACE(to_text(level));

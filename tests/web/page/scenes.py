@@ -226,6 +226,21 @@ class Scenes:
         )
         return self.run("shots", job)
 
+    def lines_through(self):
+        """Lines from the front and from the left through a scene of two steps: a box of two parts that moves,
+        and a small one that stands."""
+        self.bodies()
+        self.poses("lines", "step,t,body,x,y,z", [(0, 0, "block", 0, 0, 0), (1, 2.5, "block", 0, 3, 0.5)])
+        job = self.job(
+            "lines",
+            'name = "lines"\nunit = "m"\n[bodies]\nblock = { mesh = "a.obj" }\n'
+            'probe = { mesh = "b.obj", pose = [3, 0, 0, 0, 0, 0, 1], quat_order = "xyzw" }\n'
+            '[poses]\nfile = "lines.csv"\n'
+            "[shots]\nspacing = 0.25\ntile = 8\nazimuth_deg = [0, 90, 2]\n"
+            '[query]\nlevel = "pairs"\n[output]\nformats = ["csv", "csv-pairs", "npz"]\n',
+        )
+        return self.run("lines", job)
+
     def random(self):
         return self.run("random", *self.bodies(), "--random", 300, "--seed", 1, "--level", "contacts")
 

@@ -76,3 +76,28 @@ class Shots(PageTest):
             self.assertIn(words, text)
         self.assertNotIn("pairs of triangles", text)
         self.keep_pictures("shots")
+
+    def test_lines_of_a_scene_are_drawn_with_the_body_that_they_hit(self):
+        folder = self.scenes.lines_through()
+        with open(folder / "scenarios.csv", newline="") as file:
+            rows = [row for row in csv.DictReader(file) if int(row["hits"]) > 0]
+        row = [row for row in rows if (row["body_a"], row["step"]) == ("block", "1")][-1]
+        scenario = int(row["scenario"])
+        self.open(folder, f"#/jobs/folder/{scenario}")
+        facts = self.browser.scenario(scenario)
+        self.assertEqual((facts["class"], facts["verified"]), ("contact", True))
+        self.assertEqual((facts["scene"]["step"], facts["scene"]["time"]), (1, 2.5))
+        self.assertEqual(facts["scene"]["bodies"], [0, 2])
+        self.assertEqual(facts["lines"][0], 64)
+        self.assertGreater(facts["lines"][1], 0)
+        self.assertLessEqual({"enters", "leaves"}, {one["kind"] for one in facts["hits"]})
+        self.browser.wait_text(f"contact, {row['hits']} hits")
+        self.browser.wait_text("block")
+        hit = facts["hits"][0]
+        self.browser.click(*hit["pixel"])
+        facts = self.browser.wait("the pick", lambda facts: facts["pick"] is not None)
+        self.assertEqual(facts["pick"]["body"], 1)
+        passages = self.passages(folder, scenario, facts["pick"]["triangle"])
+        self.assertGreater(len(passages), 0)
+        self.assertEqual({passage["body"] for passage in passages}, {"block"})
+        self.keep_pictures("lines_of_a_scene")

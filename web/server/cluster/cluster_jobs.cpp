@@ -259,11 +259,12 @@ Result<std::vector<ScenePlace>>
 places_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
     const auto description = CD_TRY(reader.description(job.status.job));
-    if (!description.submit.poses.scene) {
+    const auto steps = CD_TRY(steps_of(description.submit));
+    if (steps == nullptr) {
         return no_scene();
     }
     const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
-    return scene_places(read.scenarios);
+    return scene_places(read.scenarios, *steps);
 }
 
 Result<std::vector<StepRow>>
@@ -369,7 +370,7 @@ std::shared_ptr<const ScenarioView> run_again(const ScenarioInputs& inputs, cons
     ScenarioView view = repeat_scenario(
         TreesByBody(inputs.trees), inputs.query, inputs.scenario, inputs.record, stop);
     add_label(inputs.labels, 0, view);
-    add_step_time(inputs.steps.get(), view);
+    add_step_time(inputs.steps.get(), inputs.scenario.index, view);
     return std::make_shared<const ScenarioView>(std::move(view));
 }
 

@@ -5,14 +5,15 @@
 
 namespace cd {
 
-Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios) {
+Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios,
+                                             const StepIndex& steps) {
     std::vector<ScenePlace> places;
     places.reserve(scenarios.size());
     for (const Scenario& scenario : scenarios) {
-        if (!scenario.step) {
+        if (!scenario.step || scenario.index >= steps.count()) {
             return Error{ErrorCode::BadFrame, "a scenario of the scene has no step"};
         }
-        places.push_back({*scenario.step, scenario.body_a, scenario.body_b});
+        places.push_back({steps.step_of(scenario.index), scenario.body_a, scenario.body_b});
     }
     return places;
 }
@@ -47,8 +48,9 @@ Result<std::shared_ptr<const StepIndex>> steps_of(const Submit& submit) {
     return unpack_steps(submit.poses.scene->steps, submit.scenarios);
 }
 
-void add_step_time(const StepIndex* steps, ScenarioView& view) {
-    if (steps != nullptr && view.scene && view.scene->step < steps->steps()) {
+void add_step_time(const StepIndex* steps, std::uint64_t scenario, ScenarioView& view) {
+    if (steps != nullptr && view.scene && scenario < steps->count()) {
+        view.scene->step = steps->step_of(scenario);
         view.time = steps->time_of(view.scene->step);
     }
 }

@@ -7,14 +7,18 @@
 #include "web/server/page_request.hpp"
 #include "web/server/page_values.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace cd {
 
-/// Returns where each scenario of a scene belongs. Errors: BadFrame for a scenario without a step.
-[[nodiscard]] Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios);
+/// Returns where each scenario of a scene belongs. The step is that of the scenario's number: with
+/// lines, the step that the scenario itself has names its bundle, too. Errors: BadFrame for a
+/// scenario without a step.
+[[nodiscard]] Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios,
+                                                           const StepIndex& steps);
 
 /// Returns the keys of each motion, of a scene or of two bodies. Errors: NotFound for a scenario
 /// that is no motion.
@@ -29,9 +33,9 @@ namespace cd {
 /// `unpack_steps`.
 [[nodiscard]] Result<std::shared_ptr<const StepIndex>> steps_of(const Submit& submit);
 
-/// Sets the view's time to that of its step. Of a job that is no scene, `steps` is null, and
-/// nothing is set.
-void add_step_time(const StepIndex* steps, ScenarioView& view);
+/// Sets the view's step to that of the scenario's number, and its time. Of a job that is no scene,
+/// `steps` is null, and nothing is set.
+void add_step_time(const StepIndex* steps, std::uint64_t scenario, ScenarioView& view);
 
 /// The error for a question about steps or pairs of bodies in a job that is no scene: NotFound.
 [[nodiscard]] Error no_scene();

@@ -28,9 +28,7 @@ namespace fs = std::filesystem;
 class ShotsExport : public testing::Test {
   protected:
     ShotsExport() {
-        context_.bodies = {{"a", "a.obj", scene_.a}, {"lines", "", scene_.lines}};
-        context_.bodies[1].views = scene_.views();
-        context_.unit = "m";
+        context_ = scene_.context();
         ask(shots_query(Level::Pairs));
     }
 

@@ -13,11 +13,16 @@ namespace {
 
 constexpr Colour white{255, 255, 255};
 
+std::shared_ptr<const ShotJob> job_of(const ExportContext& context) {
+    return std::make_shared<const ShotJob>(context);
+}
+
 ThicknessPictures pictures_of(const LineScene& scene) {
-    ThicknessPictures pictures(std::make_shared<const PassageFinder>(*scene.a), scene.views());
+    ThicknessPictures pictures(job_of(scene.context()));
     for (const ScenarioResult& result : scene.results(shots_query(Level::Pairs))) {
-        pictures.add(result);
+        EXPECT_TRUE(pictures.add(result));
     }
+    pictures.finish();
     return pictures;
 }
 
@@ -59,22 +64,20 @@ TEST(ThicknessPictures, HaveAPixelForSomeLinesWhereThereAreMany) {
     LineScene scene;
     scene.spec.grid.spacing = 1.0 / 512;
     scene.spec.grid.tile = 512;
-    const ThicknessPictures pictures(std::make_shared<const PassageFinder>(*scene.a),
-                                     scene.views());
+    const ThicknessPictures pictures(job_of(scene.context()));
     const Image image = pictures.image(0);
     EXPECT_LE(image.width, ThicknessBounds().side);
     EXPECT_GT(image.width, ThicknessBounds().side / 2);
-    const ThicknessPictures large(
-        std::make_shared<const PassageFinder>(*scene.a), scene.views(), large_thickness);
+    const ThicknessPictures large(job_of(scene.context()), large_thickness);
     EXPECT_GT(large.image(0).width, image.width);
     EXPECT_LE(large.image(0).width, large_thickness.side);
     EXPECT_EQ(pictures.largest(0), 0);
 }
 
 TEST(ThicknessPictures, NoneAreOfLinesOfAFile) {
-    const LineScene scene;
-    const ThicknessPictures pictures(std::make_shared<const PassageFinder>(*scene.a),
-                                     std::make_shared<const ShotViews>());
+    ExportContext context = LineScene().context();
+    context.bodies[1].views = nullptr;
+    const ThicknessPictures pictures(job_of(context));
     EXPECT_EQ(pictures.count(), 0u);
 }
 

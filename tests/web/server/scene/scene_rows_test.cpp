@@ -37,12 +37,18 @@ TEST(SceneRows, AStepHasItsFirstScenarioAndItsTime) {
 }
 
 TEST(SceneRows, AScenarioHasItsStepAndItsBodies) {
-    const std::vector<Scenario> scenarios{{0, 1, 3, {}, 4}, {1, 0, 2, {}, 5}};
-    EXPECT_THAT(scene_places(scenarios).value(),
-                ElementsAre(ScenePlace{4, 1, 3}, ScenePlace{5, 0, 2}));
-    const std::vector<Scenario> damaged{{0, 1, 3, {}, {}}};
-    ASSERT_FALSE(scene_places(damaged));
-    EXPECT_EQ(scene_places(damaged).error().code, ErrorCode::BadFrame);
+    const StepIndex steps = three_steps();
+    const std::vector<Scenario> scenarios{{0, 1, 3, {}, 0}, {2, 0, 2, {}, 2}};
+    EXPECT_THAT(scene_places(scenarios, steps).value(),
+                ElementsAre(ScenePlace{0, 1, 3}, ScenePlace{2, 0, 2}));
+    const std::vector<Scenario> of_lines{{2, 0, 2, {}, 17}};
+    EXPECT_THAT(scene_places(of_lines, steps).value(), ElementsAre(ScenePlace{2, 0, 2}))
+        << "17 names the bundle, too";
+    for (const Scenario& damaged : {Scenario{0, 1, 3, {}, {}}, Scenario{3, 1, 3, {}, 2}}) {
+        const auto places = scene_places({&damaged, 1}, steps);
+        ASSERT_FALSE(places);
+        EXPECT_EQ(places.error().code, ErrorCode::BadFrame);
+    }
 }
 
 TEST(SceneRows, AMotionHasItsKeys) {
@@ -60,12 +66,15 @@ TEST(SceneRows, AMotionHasItsKeys) {
 TEST(SceneRows, AViewGetsTheTimeOfItsStep) {
     const StepIndex steps = three_steps();
     ScenarioView view;
-    add_step_time(&steps, view);
+    add_step_time(&steps, 2, view);
     EXPECT_FALSE(view.time) << "of no scene";
-    view.scene = ScenePlace{2, 0, 1};
-    add_step_time(nullptr, view);
+    view.scene = ScenePlace{17, 0, 1};
+    add_step_time(nullptr, 2, view);
     EXPECT_FALSE(view.time);
-    add_step_time(&steps, view);
+    add_step_time(&steps, 3, view);
+    EXPECT_FALSE(view.time) << "there is no such scenario";
+    add_step_time(&steps, 2, view);
+    EXPECT_EQ(view.scene->step, 2u);
     EXPECT_EQ(view.time, 2.5);
 }
 

@@ -46,7 +46,8 @@ async function loadTwo(job: Job, pair: BodyPair): Promise<Model> {
     const [a, b] = pair;
     const parts = Promise.all([getParts(job.job, a), getParts(job.job, b)]);
     const both = await Promise.all([meshOf(job, a), meshOf(job, b)]);
-    return { bodies: pair, meshes: both, parts: await parts, closed: null, milliseconds: performance.now() - begin };
+    const closed = asksShots(job) ? await getClosedParts(job.job, a) : null;
+    return { bodies: pair, meshes: both, parts: await parts, closed, milliseconds: performance.now() - begin };
 }
 
 /** Loads two bodies of a scene; a pair that was shown lately is the same object again. */
