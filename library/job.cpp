@@ -80,7 +80,7 @@ class JobRun {
     /// Passes all results on and keeps none.
     Results run(const std::function<void(Results&&)>& each_window) {
         ResultArrays results(each_window, names_of(cd::export_context(job_)));
-        if (job_.query.maps && !job_.scene) { // Results of many bodies have no map.
+        if (job_.query.maps) {
             results.count_maps();
         }
         const cd::RunOutcome outcome = value_of(run_all({}, [&](const cd::DoneBlock& block) {

@@ -71,6 +71,14 @@ std::string rules_text(const RulesSpec& rules, const PreparedScene& prepared) {
     return text;
 }
 
+std::string notes_text(const std::vector<std::string>& notes) {
+    std::string text;
+    for (const std::string& note : notes) {
+        text += "  " + note + "\n";
+    }
+    return text;
+}
+
 } // namespace
 
 std::string keys_text(double moved, const std::string& unit) {
@@ -83,7 +91,8 @@ std::string check_text(const JobSpec& spec, const PreparedScene& prepared) {
     return entries_text(*spec.scene, prepared.scene) + rules_text(spec.scene->rules, prepared) +
            counted(poses.steps()->steps(), "step") + (poses.moved() ? " of motion, " : ", ") +
            counted(poses.count(), "scenario") + ":\n" + coverage_text(poses, prepared.scene, "  ") +
-           (poses.moved() ? "  " + keys_text(*poses.moved(), spec.unit) + "\n" : "");
+           (poses.moved() ? "  " + keys_text(*poses.moved(), spec.unit) + "\n" : "") +
+           notes_text(prepared.notes);
 }
 
 } // namespace cd
