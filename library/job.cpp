@@ -84,7 +84,7 @@ class JobRun {
         const cd::ExportContext context = cd::export_context(job_);
         ResultArrays results(each_window, names_of(context));
         results.number_steps(context.steps);
-        if (job_.query.maps && !job_.scene) { // Results of many bodies have no map.
+        if (job_.query.maps) {
             results.count_maps();
         }
         const cd::RunOutcome outcome = value_of(run_all({}, [&](const cd::DoneBlock& block) {

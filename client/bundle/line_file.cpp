@@ -65,6 +65,9 @@ Result<LineEnds> line_of(std::span<const double> numbers, LineForm form, const A
 
 Result<std::vector<LineEnds>>
 read_lines(const std::filesystem::path& path, LineForm form, const Aabb& box) {
+    if (path.extension() != ".npy") {
+        return bad_input(path, "lines come from an .npy file of shape (N, 6)");
+    }
     const auto rows = CD_TRY(NpyRows::open(path));
     if (rows->shape().size() != 2 || rows->row_size() != numbers_of_line) {
         return bad_input(path,
@@ -72,7 +75,10 @@ read_lines(const std::filesystem::path& path, LineForm form, const Aabb& box) {
                                      fmt::join(rows->shape(), ", ")));
     }
     if (rows->row_count() == 0 || rows->row_count() > limits::mesh_triangles_max / 2) {
-        return bad_input(path, fmt::format("{} lines", rows->row_count()));
+        return bad_input(path,
+                         fmt::format("{} lines; a file has 1 to {}",
+                                     rows->row_count(),
+                                     limits::mesh_triangles_max / 2));
     }
     std::vector<LineEnds> lines;
     for (std::uint64_t first = 0; first < rows->row_count(); first += rows_at_once) {

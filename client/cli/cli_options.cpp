@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <span>
 
 namespace cd {
@@ -238,14 +237,13 @@ void add_fail_on(CLI::App& verb, FailOn& fail_on, bool has_baseline) {
 }
 
 void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on) {
-    const auto add = option_adder(verb);
-    const std::map<std::string, DiffFailOn> words{{"any", DiffFailOn::Any},
-                                                  {"new", DiffFailOn::New}};
-    add("--fail-on",
-        fail_on,
-        "WHAT",
-        "Exit with 1 on any difference in contacts, or only on new groups")
-        ->transform(CLI::CheckedTransformer(words).description("{any,new}"));
+    const auto set = [&fail_on](const std::string& word) {
+        fail_on = word == "new" ? DiffFailOn::New : DiffFailOn::Any;
+    };
+    verb.add_option_function<std::string>(
+            "--fail-on", set, "Exit with 1 on any difference in contacts, or only on new groups")
+        ->type_name("WHAT")
+        ->check(one_of({"any", "new"}));
 }
 
 void add_judge(CLI::App& verb, JudgeOptions& judge) {
@@ -255,20 +253,20 @@ void add_judge(CLI::App& verb, JudgeOptions& judge) {
 }
 
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage) {
-    const auto add = option_adder(verb);
-    std::map<std::string, PairStage> words;
-    std::string list;
+    std::vector<std::string> words;
     for (std::size_t i = 0; i < pair_stage_count; ++i) {
-        std::string word(to_text(static_cast<PairStage>(i)));
-        std::replace(word.begin(), word.end(), ' ', '-');
-        list += (list.empty() ? "{" : ",") + word;
-        words.emplace(std::move(word), static_cast<PairStage>(i));
+        words.emplace_back(to_text(static_cast<PairStage>(i)));
+        std::replace(words.back().begin(), words.back().end(), ' ', '-');
     }
-    add("--first-stage",
-        first_stage,
-        "STAGE",
-        "Skip the cheaper stages of the triangle decision; same answers, more slowly")
-        ->transform(CLI::CheckedTransformer(words).description(list + "}"));
+    const auto set = [&first_stage, words](const std::string& word) {
+        first_stage = static_cast<PairStage>(std::ranges::find(words, word) - words.begin());
+    };
+    verb.add_option_function<std::string>(
+            "--first-stage",
+            set,
+            "Skip the cheaper stages of the triangle decision; same answers, more slowly")
+        ->type_name("STAGE")
+        ->check(one_of(words));
 }
 
 } // namespace cd

@@ -4,8 +4,10 @@
 #include "client/base/temporary_folder.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
+#include "client/scene/rule_pattern.hpp"
 #include "common/core/errors.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -61,7 +63,49 @@ Result<RunWithInputs> open_or_fetch(const std::string& argument,
     return run;
 }
 
+bool is_same_rule(const SceneRule& left, const SceneRule& right) {
+    return left.ignores == right.ignores && left.one == right.one && left.other == right.other;
+}
+
+bool is_about_parts(const SceneRule& rule) {
+    return RulePattern::from_text(rule.one).has_part() ||
+           RulePattern::from_text(rule.other).has_part();
+}
+
+bool has_same_group(const SceneBodySpec& left, const SceneBodySpec& right) {
+    return left.name == right.name && left.group == right.group;
+}
+
+/// True if two runs of the same bodies ignore the same pairs of bodies. What rules about parts
+/// ignore depends on the meshes.
+bool have_same_rules(const RunAtHand& earlier, const RunAtHand& later) {
+    const SceneSpec& was = *earlier.job.spec.scene;
+    const SceneSpec& is = *later.job.spec.scene;
+    const bool have_equal_meshes = std::ranges::equal(earlier.run.manifest().bodies,
+                                                      later.run.manifest().bodies,
+                                                      {},
+                                                      &ManifestBody::mesh,
+                                                      &ManifestBody::mesh);
+    return std::ranges::equal(was.rules.order, is.rules.order, &is_same_rule) &&
+           std::ranges::equal(was.bodies, is.bodies, &has_same_group) &&
+           (have_equal_meshes || std::ranges::none_of(is.rules.order, &is_about_parts));
+}
+
+ApartPairs apart_pairs_of(const RunAtHand& run, bool has_rules_of_other) {
+    const JobScene& scene = *run.job.scene;
+    return {scene.steps, scene.are_fixed, run.job.query, has_rules_of_other};
+}
+
 } // namespace
+
+std::optional<std::array<ApartPairs, 2>> apart_pairs(const RunAtHand& earlier,
+                                                     const RunAtHand& later) {
+    if (!earlier.job.scene || !later.job.scene) {
+        return std::nullopt;
+    }
+    const bool have_rules = have_same_rules(earlier, later);
+    return std::array{apart_pairs_of(earlier, have_rules), apart_pairs_of(later, have_rules)};
+}
 
 Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                    const MasterOptions& master,

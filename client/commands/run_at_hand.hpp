@@ -2,12 +2,14 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
+#include "client/compare/paired_results.hpp"
 #include "client/compare/scenario_match.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/job/prepared_job.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,6 +32,11 @@ struct RunAtHand {
         return job.query.level < Level::Pairs && map ? &map->parts : nullptr;
     }
 };
+
+/// Returns which pairs of bodies each of two runs leaves out because their boxes are apart; nothing
+/// unless both are scenes.
+[[nodiscard]] std::optional<std::array<ApartPairs, 2>> apart_pairs(const RunAtHand& earlier,
+                                                                   const RunAtHand& later);
 
 /// The contents of a run that a verb needs beside its records and inputs.
 struct RunNeeds {

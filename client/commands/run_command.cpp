@@ -202,8 +202,12 @@ Status add_hint(const PreparedJob& job, RunReport& report) {
         job.query.question == Question::Shots) {
         return Done{};
     }
-    report.hint = CD_TRY(nearness_hint(
-        *job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit, &InterruptGuard::has_come));
+    report.hint = CD_TRY(nearness_hint(*job.meshes[0],
+                                       *job.meshes[1],
+                                       *job.poses,
+                                       job.spec.unit,
+                                       job.query.motion ? "key of a motion" : "pose",
+                                       &InterruptGuard::has_come));
     return Done{};
 }
 

@@ -25,6 +25,9 @@ std::string scenarios_text(const DiffReport& report) {
                        std::string(to_text(report.matched_by));
     text += counts.only_earlier == 0 ? "" : "; " + grouped(counts.only_earlier) + " only in OLD";
     text += counts.only_later == 0 ? "" : "; " + grouped(counts.only_later) + " only in NEW";
+    text += counts.apart == 0
+                ? ""
+                : "; " + grouped(counts.apart) + " of them apart by their boxes in one run";
     const std::uint64_t rest = counts.in_both - counts.comparable;
     text += rest == 0 ? "" : "; " + grouped(rest) + " failed, undecided or without result";
     return text + "\n  changed       " + grouped(counts.changed) + " of " +
@@ -68,11 +71,17 @@ std::string counts_text(const GroupCounts& counts) {
            (counts.near == 0 ? "" : ", " + counted(counts.near, "near pair"));
 }
 
-std::string group_text(const ChangedGroup& group) {
+/// Names the part of a group's body; in a scene with the body before it.
+std::string part_name(const DiffReport& report, std::uint32_t body, const std::string& part) {
+    return (report.bodies.size() > 2 ? escaped(report.bodies[body]) + "/" : "") + escaped(part);
+}
+
+std::string group_text(const DiffReport& report, const ChangedGroup& group) {
     const bool has_earlier = group.earlier.scenarios != 0;
     const bool has_later = group.later.scenarios != 0;
-    std::string text = "    " + std::string(to_text(group.state)) + ": " + escaped(group.part_a) +
-                       " x " + escaped(group.part_b) + ": ";
+    std::string text = "    " + std::string(to_text(group.state)) + ": " +
+                       part_name(report, group.body_a, group.part_a) + " x " +
+                       part_name(report, group.body_b, group.part_b) + ": ";
     text += has_earlier && has_later
                 ? counts_text(group.later) + "; was " + counts_text(group.earlier)
                 : counts_text(has_later ? group.later : group.earlier);
@@ -97,7 +106,7 @@ std::string groups_text(const DiffReport& report) {
         for (const ChangedGroup& group : report.groups) {
             if (group.state == state && state != GroupState::Unchanged &&
                 shown++ < groups_shown_max) {
-                lines += group_text(group);
+                lines += group_text(report, group);
             }
         }
         if (shown > groups_shown_max) {
@@ -217,6 +226,7 @@ std::string diff_json(const DiffReport& report) {
     return json_text(Json{{"inputs", inputs_json(report)},
                           {"matched_by", to_text(report.matched_by)},
                           {"both", counts.in_both},
+                          {"apart", counts.apart},
                           {"only_old", counts.only_earlier},
                           {"only_new", counts.only_later},
                           {"comparable", counts.comparable},

@@ -159,6 +159,7 @@ Status ScenarioDiff::add(const PairedResult& pair) {
         return Done{};
     }
     ++counts_.in_both;
+    counts_.apart += pair.earlier && pair.later ? 0 : 1;
     counts_.comparable += pair.is_comparable() ? 1 : 0;
     ++counts_.outcomes[outcome_of(pair.was)][outcome_of(pair.is)];
     const std::string_view change = change_of(pair);
@@ -172,11 +173,15 @@ Status ScenarioDiff::add(const PairedResult& pair) {
 Status ScenarioDiff::write(const PairedResult& pair, std::string_view change) {
     const ScenarioResult& some = pair.is != nullptr ? *pair.is : *pair.was;
     TextBuffer row;
-    row.add(header_once(),
-            *pair.later,
-            ",",
-            *pair.earlier,
-            ",",
+    row.add(header_once());
+    if (pair.later) {
+        row.add(*pair.later);
+    }
+    row.add(",");
+    if (pair.earlier) {
+        row.add(*pair.earlier);
+    }
+    row.add(",",
             std::string_view(options_.bodies[some.body_a]),
             ",",
             std::string_view(options_.bodies[some.body_b]),

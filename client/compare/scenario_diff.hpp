@@ -36,6 +36,7 @@ struct ScenarioCounts {
     std::uint64_t in_both = 0;
     std::uint64_t only_earlier = 0;
     std::uint64_t only_later = 0;
+    std::uint64_t apart = 0;      ///< In both, but in one only by the boxes of a scene's bodies.
     std::uint64_t comparable = 0; ///< In both, with a class other than failed and undecided.
     std::uint64_t changed = 0;    ///< In both, with another result.
     /// Scenarios in both, by outcome in the earlier run, then in the later run.
@@ -44,14 +45,15 @@ struct ScenarioCounts {
 
 /// Counts changed scenarios, and writes a CSV row for each: scenario, scenario_old, body_a, body_b,
 /// class_old, class, count_old, count, change (class, count, distance, bracket, near, hits or
-/// pairs: the first that differs). Before the change it has, with a clearance, near_old and near;
-/// with the question of the distance distance_old and distance, empty if there is none. A count is
-/// empty at level any, and for a missing result. Classes of level any equal the classes of other
-/// levels that they stand for. If only one of the results has a clearance, its class near equals
-/// separate, and near pairs are not compared. Distances are compared by their bits, if both results
-/// answer for them. Brackets of motions are compared if both searches end at contact or with the
-/// motion, or both at the way out; motions that are free throughout have none. Hits of lines are
-/// compared by line, depth and flags, if both results list them all.
+/// pairs: the first that differs). A scenario that a run has by boxes alone has no number there.
+/// Before the change it has, with a clearance, near_old and near; with the question of the distance
+/// distance_old and distance, empty if there is none. A count is empty at level any, and for a
+/// missing result. Classes of level any equal the classes of other levels that they stand for. If
+/// only one of the results has a clearance, its class near equals separate, and near pairs are not
+/// compared. Distances are compared by their bits, if both results answer for them. Brackets of
+/// motions are compared if both searches end at contact or with the motion, or both at the way out;
+/// motions that are free throughout have none. Hits of lines are compared by line, depth and flags,
+/// if both results list them all.
 class ScenarioDiff {
   public:
     /// `csv` may be nothing.

@@ -67,6 +67,9 @@ Pose CurvePhase::at(double time) const {
 
 Result<double> key_parts(const CurvePhase& phase, double radius, double off_max, double share) {
     const double rounding = rounding_of(phase, radius);
+    if (!std::isfinite(rounding)) {
+        return bad_input("the curve is too long for numbers of 64 bits");
+    }
     if (!(rounding <= off_max * share / 6)) {
         return bad_input("numbers of 64 bits do not tell the curve within " + exact_text(off_max) +
                          "; allow at least " + exact_text(rounding * (6 / share)));

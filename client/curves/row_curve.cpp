@@ -15,18 +15,6 @@ namespace {
 /// The curves of A and of B from a row to the next.
 using RowCurves = std::array<CurvePhase, 2>;
 
-Result<CurvePhase> curve_of(const Pose& from, const PoseRates& rates, double seconds) {
-    const Pose key = CD_TRY(unit_key(from));
-    CurvePhase phase;
-    phase.seconds = seconds;
-    phase.turn = key.quaternion();
-    phase.spin = rates.spin;
-    phase.from = key.translation();
-    phase.velocity = rates.velocity;
-    phase.acceleration = rates.acceleration;
-    return phase;
-}
-
 Result<RowCurves> curves_of(const KeyRow& row, double seconds) {
     const auto of_a = CD_TRY(curve_of(row.poses.a, row.rates[0], seconds));
     const auto of_b = CD_TRY(curve_of(row.poses.b, row.rates[1], seconds));
@@ -39,15 +27,6 @@ double angle_between(const Quaternion& p, const Quaternion& q) {
     const double apart = std::hypot(std::hypot(p.w - sign * q.w, p.x - sign * q.x),
                                     std::hypot(p.y - sign * q.y, p.z - sign * q.z));
     return 4 * std::asin(std::min(1.0, apart / 2));
-}
-
-/// Bounds how far the end of a curve takes a point of the body from where the next row has it.
-Result<double> gap_of(const CurvePhase& phase, const Pose& next, double radius) {
-    const Pose end = phase.at(phase.seconds);
-    const Pose key = CD_TRY(unit_key(next));
-    const Pose unit_end = CD_TRY(unit_key(end));
-    return (end.translation() - key.translation()).norm() +
-           1.1 * angle_between(unit_end.quaternion(), key.quaternion()) * radius;
 }
 
 /// Returns at how many equal times of a row keys are needed.
@@ -64,21 +43,10 @@ parts_of(const RowCurves& curves, const BodyRadii& radii, std::size_t moving, do
 
 /// Refuses curves that end too far from the poses of the next row. A that rests has no gap.
 Status
-check_gap(const RowCurves& curves, const KeyRow& next, const BodyRadii& radii, double off_max) {
+check_gaps(const RowCurves& curves, const KeyRow& next, const BodyRadii& radii, double off_max) {
     const double of_a = CD_TRY(gap_of(curves[0], next.poses.a, radii.a));
     const double of_b = CD_TRY(gap_of(curves[1], next.poses.b, radii.b));
-    const double gap = of_a + of_b;
-    if (gap <= gap_share * off_max) {
-        return Done{};
-    }
-    return bad_input(fmt::format(
-        "the velocities of the row before miss this pose by up to {:.2g}, more than half of "
-        "{:.2g}; "
-        "check units and times, or allow {:.2g} or more: [motion] chord, or else an eighth of "
-        "resolution or max_step",
-        gap,
-        off_max,
-        2.2 * gap));
+    return check_gap(of_a + of_b, 1, off_max);
 }
 
 PosePair at_time(const RowCurves& curves, const PosePair& begin, std::size_t moving, double time) {
@@ -86,6 +54,40 @@ PosePair at_time(const RowCurves& curves, const PosePair& begin, std::size_t mov
 }
 
 } // namespace
+
+Result<CurvePhase> curve_of(const Pose& from, const PoseRates& rates, double seconds) {
+    const Pose key = CD_TRY(unit_key(from));
+    CurvePhase phase;
+    phase.seconds = seconds;
+    phase.turn = key.quaternion();
+    phase.spin = rates.spin;
+    phase.from = key.translation();
+    phase.velocity = rates.velocity;
+    phase.acceleration = rates.acceleration;
+    return phase;
+}
+
+Result<double> gap_of(const CurvePhase& phase, const Pose& next, double radius) {
+    const Pose end = phase.at(phase.seconds);
+    const Pose key = CD_TRY(unit_key(next));
+    const Pose unit_end = CD_TRY(unit_key(end));
+    return (end.translation() - key.translation()).norm() +
+           1.1 * angle_between(unit_end.quaternion(), key.quaternion()) * radius;
+}
+
+Status check_gap(double gap, double share, double off_max) {
+    if (gap <= share * gap_share * off_max) {
+        return Done{};
+    }
+    return bad_input(fmt::format(
+        "the velocities of the row before miss this pose by up to {:.2g}, more than {} of {:.2g}; "
+        "check units and times, or allow {:.2g} or more: [motion] chord, or else an eighth of "
+        "resolution or max_step",
+        gap,
+        share == 1 ? "half" : "a quarter",
+        off_max,
+        1.1 * gap / (share * gap_share)));
+}
 
 Result<RowKeys> keys_between(std::span<const KeyRow> rows,
                              const BodyRadii& radii,
@@ -111,7 +113,7 @@ Result<RowKeys> keys_between(std::span<const KeyRow> rows,
                              " is not after " + exact_text(from.time) + " of " + name(row));
         }
         const auto curves = CD_TRY(within(name(row) + ": ", curves_of(from, seconds)));
-        CD_TRY(within(name(row + 1) + ": ", check_gap(curves, next, radii, off_max)));
+        CD_TRY(within(name(row + 1) + ": ", check_gaps(curves, next, radii, off_max)));
         const double parts =
             CD_TRY(within(name(row) + ": ", parts_of(curves, radii, moving, off_max)));
         if (!(parts + static_cast<double>(keys.poses.size()) < curve_keys_max)) {

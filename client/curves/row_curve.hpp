@@ -37,6 +37,16 @@ struct RowKeys {
 /// The share of the distance from the curves by which they may miss the next row.
 inline constexpr double gap_share = 0.5;
 
+/// Returns the curve from a pose with its rates. Errors: as `unit_key`.
+[[nodiscard]] Result<CurvePhase> curve_of(const Pose& from, const PoseRates& rates, double seconds);
+
+/// Bounds how far the end of a curve takes a point of the body from where the next pose has it.
+/// Errors: as `unit_key`.
+[[nodiscard]] Result<double> gap_of(const CurvePhase& phase, const Pose& next, double radius);
+
+/// Refuses a gap above `share`, which is 1 or 1/2, of what may be missed. Errors: BadInput.
+[[nodiscard]] Status check_gap(double gap, double share, double off_max);
+
 /// Makes keys at equal times between each row and the next, as many as it takes that the motion
 /// from each to the next changes no distance between points of A and of B by more than `off_max`
 /// against the curves, at any time, even if the keys are then rounded to a grid and that moves the

@@ -110,6 +110,9 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
 Result<JobSpec> OpenedRun::spec() const {
     auto spec = CD_TRY(parse_job(manifest_.job, dir_ / "run.json"));
     spec.output.dir.clear();
+    for (auto& [key, line] : spec.lines) {
+        line = 0;
+    }
     if (spec.scene) {
         return spec;
     }

@@ -4,9 +4,6 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,11 +12,15 @@ namespace cd {
 
 namespace {
 
-/// Names the poses in errors about their order.
-std::string place_of_poses(const PosesSpec& poses) {
-    const auto* const file = std::get_if<PoseFileSpec>(&poses);
+/// Names the poses in errors about their order: their file, or the curve's line of the job file.
+std::string place_of_poses(const JobSpec& spec) {
+    if (const auto* const curve = std::get_if<CurveSpec>(&spec.poses)) {
+        const std::string key = curve->text.substr(0, curve->text.find(' '));
+        return error_at_key(spec, key, "[poses] " + key + ": ").detail;
+    }
+    const auto* const file = std::get_if<PoseFileSpec>(&spec.poses);
     if (file == nullptr) {
-        return "the curve: ";
+        return "the poses: ";
     }
     return file->path == "-" ? "standard input: " : file->path.string() + ": ";
 }
@@ -37,10 +38,12 @@ Status check_chord(const JobSpec& spec, const JobMotions& motions) {
     if (!spec.chord || moved <= grid_share * *spec.chord) {
         return Done{};
     }
-    const std::string place = spec.file.empty() ? "" : spec.file.string() + ": ";
-    return bad_input(place + "[motion]: chord = " + exact_text(*spec.chord) +
-                     " is too small, since rounding of the keys moves the bodies by up to " +
-                     exact_text(moved) + "; make it at least " + exact_text(moved / grid_share));
+    return error_at_key(spec,
+                        "chord",
+                        "[motion]: chord = " + exact_text(*spec.chord) +
+                            " is too small, since rounding of the keys moves the bodies by up to " +
+                            exact_text(moved) + "; make it at least " +
+                            exact_text(moved / grid_share));
 }
 
 /// Keys that were made from a file's rows. An error names a key by the row where its curve starts.
@@ -88,7 +91,7 @@ std::string keys_note(const PreparedJob& job, double off_max) {
 /// Inserts poses between those of a job.
 Status make_steps(PreparedJob& job, double max_step) {
     auto made = CD_TRY(
-        within(place_of_poses(job.spec.poses),
+        within(place_of_poses(job.spec),
                make_steps(*job.poses, job.labels, *job.meshes[0], *job.meshes[1], max_step)));
     job.poses = std::move(made.poses);
     job.labels = std::move(made.labels);
@@ -97,7 +100,7 @@ Status make_steps(PreparedJob& job, double max_step) {
 
 /// Replaces the poses of a job by the motions from each to the next.
 Status make_motions(PreparedJob& job, const MotionQuery& motion) {
-    const std::string place = place_of_poses(job.spec.poses);
+    const std::string place = place_of_poses(job.spec);
     auto made = CD_TRY(within(
         place,
         make_motions(*job.poses, job.labels, *job.meshes[0], *job.meshes[1], motion.resolution)));
@@ -114,7 +117,7 @@ Status make_motions(PreparedJob& job, const MotionQuery& motion) {
 Status make_keys(PreparedJob& job, const CurveSpec& curve) {
     const double off_max = off_curve_max(job.spec);
     auto keys =
-        CD_TRY(within(place_of_poses(job.spec.poses),
+        CD_TRY(within(place_of_poses(job.spec),
                       keys_along(curve.phases, body_radius(job.meshes[1]->vertices()), off_max)));
     std::vector<Scenario> scenarios(keys.poses.size());
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
@@ -128,10 +131,10 @@ Status make_keys(PreparedJob& job, const CurveSpec& curve) {
 }
 
 Status make_row_keys(PreparedJob& job, const std::vector<PoseRates>& rates) {
-    const std::string place = place_of_poses(job.spec.poses);
+    const std::string place = place_of_poses(job.spec);
     if (rates.empty()) {
         return job.spec.chord
-                   ? bad_input(job.spec.file.string() + ": [motion]: " + std::string(chord_use))
+                   ? error_at_key(job.spec, "chord", "[motion]: " + std::string(chord_use))
                    : Status(Done{});
     }
     if (!job.query.motion && !job.spec.max_step) {
@@ -166,14 +169,6 @@ Status make_path(PreparedJob& job) {
         return make_motions(job, *job.query.motion);
     }
     return job.spec.max_step ? make_steps(job, *job.spec.max_step) : Done{};
-}
-
-double with_chord(double clearance, double chord) {
-    const double sum = clearance + chord;
-    const double larger = std::max(clearance, chord);
-    // Exact: Dekker, A floating-point technique (1971), section 4.
-    const bool is_below = sum - larger < std::min(clearance, chord);
-    return is_below ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
 }
 
 } // namespace cd

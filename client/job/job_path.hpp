@@ -25,7 +25,4 @@ namespace cd {
 /// place; BadInput for a chord that does not cover the rounding of the keys.
 [[nodiscard]] Status make_path(PreparedJob& job);
 
-/// Returns the sum of a clearance and a chord, rounded up.
-[[nodiscard]] double with_chord(double clearance, double chord);
-
 } // namespace cd

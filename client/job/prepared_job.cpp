@@ -9,6 +9,7 @@
 #include "client/poses/pose_file.hpp"
 #include "client/scene/prepared_scene.hpp"
 #include "client/scene/scene_check.hpp"
+#include "client/spec/query_spec.hpp"
 #include "client/trees/body_trees.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
@@ -225,10 +226,13 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     for (const std::string& warning : scene.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
-    if (scene.facts.moved) {
-        job.warnings.push_back("note: " + keys_text(*scene.facts.moved, job.spec.unit));
+    for (const std::string& note : scene.notes) {
+        job.warnings.push_back("note: " + note);
     }
-    job.query = job.spec.query;
+    if (const auto moved = scene.facts.moved) {
+        job.warnings.push_back("note: " + keys_text(*moved, job.spec.unit));
+    }
+    job.query = scene.query;
     job.query.ignored = scene.ignored;
     job.zeros = scene.zeros;
     job.header = check_text(job.spec, scene);
@@ -263,7 +267,7 @@ PreparedJob
 take_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool, JobInputs given) {
     job.names = std::move(given.names);
     job.meshes = std::move(given.meshes);
-    job.query = job.spec.query;
+    job.query = covering(job.spec.query, job.spec.chord);
     job.query.ignored = std::move(given.ignored).value_or(std::vector<IgnoredRange>());
     job.scene = std::move(given.scene);
     job.poses = std::move(given.poses);
@@ -292,11 +296,8 @@ Result<PreparedJob> prepare_job(
     auto ignored =
         CD_TRY(given.ignored ? Result(std::move(*given.ignored))
                              : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]));
-    job.query = job.spec.query;
+    job.query = covering(job.spec.query, job.spec.chord);
     job.query.ignored = std::move(ignored);
-    if (job.spec.chord) {
-        job.query.clearance = with_chord(job.query.clearance.value_or(0), *job.spec.chord);
-    }
     // Only random poses need trees.
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
     if (given.poses) {

@@ -195,11 +195,8 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const CsvColum
 }
 
 /// Checks the columns that name scenario, step and body. Errors: BadInput for one that is missing,
-/// or that belongs to other rows; columns of velocities in a scene.
-Status check_bodies(const HeaderNames& names,
-                    std::uint64_t line,
-                    CsvRows rows,
-                    const CsvColumns& columns) {
+/// or that belongs to other rows.
+Status check_bodies(const HeaderNames& names, std::uint64_t line, CsvRows rows) {
     if (rows == CsvRows::Scene && (!names.has("step") || !names.has("body"))) {
         return error_in_line(line, "poses of a scene need the columns 'step' and 'body'");
     }
@@ -211,11 +208,6 @@ Status check_bodies(const HeaderNames& names,
     }
     if (rows != CsvRows::Scene && names.has("step")) {
         return error_in_line(line, "column 'step' is for the [poses] of a job with [bodies]");
-    }
-    if (rows == CsvRows::Scene && !columns.rates.empty()) {
-        return error_in_line(line,
-                             "velocities are for the poses of two bodies; bodies of a scene move "
-                             "straight from step to step, so leave the columns out");
     }
     if (rows == CsvRows::BodyB && names.has("scenario")) {
         return error_in_line(
@@ -283,7 +275,7 @@ Result<CsvColumns> read_csv_header(std::string_view line, std::uint64_t number, 
     CD_TRY(find_numbers(names, number, columns));
     CD_TRY(find_rates(names, number, columns));
     CD_TRY(check_others(names, number, columns));
-    CD_TRY(check_bodies(names, number, rows, columns));
+    CD_TRY(check_bodies(names, number, rows));
     return columns;
 }
 

@@ -58,12 +58,13 @@ least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck&
             return std::nullopt;
         }
         for (const Scenario& scenario : run.value()) {
-            const double apart =
-                distance(posed(box_a, scenario.poses.a), posed(box_b, scenario.poses.b));
-            if (!(apart > 0)) {
-                return std::nullopt;
+            for (const PosePair& at : {scenario.poses, scenario.to.value_or(scenario.poses)}) {
+                const double apart = distance(posed(box_a, at.a), posed(box_b, at.b));
+                if (!(apart > 0)) {
+                    return std::nullopt;
+                }
+                least = std::min(apart, least.value_or(apart));
             }
-            least = std::min(apart, least.value_or(apart));
         }
     }
     return least;
@@ -73,6 +74,7 @@ Result<std::string> nearness_hint(const Mesh& a,
                                   const Mesh& b,
                                   PoseSource& poses,
                                   const std::string& unit,
+                                  std::string_view pose,
                                   const StopCheck& stop) {
     const auto least = least_distance(a, b, poses, stop);
     if (stop && stop()) {
@@ -84,8 +86,8 @@ Result<std::string> nearness_hint(const Mesh& a,
     const double length_a = bounding_box(a.vertices()).size().maxCoeff();
     const double length_b = bounding_box(b.vertices()).size().maxCoeff();
     const bool is_far = *least > lengths_of_another_unit * std::max(length_a, length_b);
-    return "no pose brings B within " + length_text(*least) + " " + unit + " of A (A is " +
-           length_text(length_a) + " " + unit + " long)" +
+    return "no " + std::string(pose) + " brings B within " + length_text(*least) + " " + unit +
+           " of A (A is " + length_text(length_a) + " " + unit + " long)" +
            (is_far && unit != "mm" ? ": are the poses in mm? [poses] unit = \"mm\"" : "");
 }
 

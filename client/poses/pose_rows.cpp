@@ -189,11 +189,13 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
                 continue;
             }
             if (!off || !(off.value() <= allowed)) {
-                return bad_input(fmt::format("{}: {}",
-                                             place_of_pose(table, pose),
-                                             off ? describe(table.layout, off.value(), allowed) +
-                                                       "; --rigid-tolerance allows more"
-                                                 : off.error().detail));
+                return bad_input(
+                    fmt::format("{}: {}",
+                                place_of_pose(table, pose),
+                                off ? describe(table.layout, off.value(), allowed) +
+                                          "; rigid_tolerance of [poses] (--rigid-tolerance) "
+                                          "allows more"
+                                    : off.error().detail));
             }
             if (off.value() > warn_above) {
                 ++report.off;

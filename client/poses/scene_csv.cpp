@@ -49,6 +49,15 @@ class SceneRows {
         if (columns_.time != no_column) {
             CD_TRY(add_time(step, words[columns_.time], line));
         }
+        if (!columns_.rates.empty()) {
+            // The numbers of an absent body are all nan, its velocities as well.
+            PoseRates rates;
+            if (!std::isnan(numbers.front())) {
+                const auto read = CD_TRY(read_csv_rates(words, columns_, line));
+                rates = rates_of(read);
+            }
+            rates_.push_back(rates);
+        }
         slots_.push_back({step, body});
         lines_.push_back(line);
         values_.insert(values_.end(), numbers.begin(), numbers.end());
@@ -63,6 +72,9 @@ class SceneRows {
         PoseTable table = make_table(places);
         for (const std::size_t row : places) {
             table.lines.push_back(lines_[row]);
+            if (!rates_.empty()) {
+                table.rates.push_back(rates_[row]);
+            }
         }
         for (const auto& [step, time] : times_) {
             table.labels.times.push_back(time.first);
@@ -76,6 +88,12 @@ class SceneRows {
   private:
     /// A step's time, and the line that gave it.
     using StepTime = std::pair<double, std::uint64_t>;
+
+    static PoseRates rates_of(const std::vector<double>& numbers) {
+        return {Vec3(numbers[0], numbers[1], numbers[2]),
+                Vec3(numbers[3], numbers[4], numbers[5]),
+                Vec3(numbers[6], numbers[7], numbers[8])};
+    }
 
     static Result<std::uint64_t> step_in(std::string_view word, std::uint64_t line) {
         const auto step = to_whole(word);
@@ -183,6 +201,7 @@ class SceneRows {
     std::vector<StepSlot> slots_;             ///< Of each row.
     std::vector<std::uint64_t> lines_;        ///< Of each row.
     std::vector<double> values_;              ///< The numbers of all rows.
+    std::vector<PoseRates> rates_;            ///< Of each row, if the file has velocities.
 };
 
 } // namespace

@@ -162,7 +162,7 @@ Status TrafficBuilder::check_types() const {
 
 Result<RoadTraffic> TrafficBuilder::finish() {
     if (made_.times.empty()) {
-        return bad_input("has no steps");
+        return bad_input("has no steps; let SUMO run for some seconds");
     }
     CD_TRY(check_types());
     for (const auto& [type, body] : spec_.types) {

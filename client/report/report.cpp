@@ -368,7 +368,9 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     note(summary.undecided,
          "undecided   ",
          report.query.motion
-             ? "parts of the time stay open; a smaller resolution decides more"
+             ? "parts of the time stay open; a smaller resolution decides more, or more keys where "
+               "a "
+               "motion ends at its limit of parts"
              : "an earlier version left small boxes; pairs are those proven, not all");
     if (!report.hint.empty()) {
         text += "  hint          " + report.hint + "\n";

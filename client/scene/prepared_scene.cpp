@@ -4,8 +4,10 @@
 #include "client/poses/fcd_file.hpp"
 #include "client/scene/scene_meshes.hpp"
 #include "client/scene/scene_steps.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/motion/motion_bound.hpp"
 #include "common/scene/scene_head.hpp"
 #include "common/scene/scene_poses.hpp"
@@ -60,21 +62,35 @@ std::vector<Sha256> hashes_of(const SceneBodies& scene) {
     return hashes;
 }
 
+/// Refuses a chord that does not cover the rounding of the keys of two bodies as well.
+Status check_chord(const JobSpec& spec, const ScenePoses& poses) {
+    const double moved = 2 * poses.moved_between().value_or(0);
+    if (!spec.chord || moved <= grid_share * *spec.chord) {
+        return Done{};
+    }
+    return error_at_key(spec,
+                        "chord",
+                        "[motion]: chord = " + exact_text(*spec.chord) +
+                            " is too small, since rounding of the keys moves two bodies by up to " +
+                            exact_text(moved) + "; make it at least " +
+                            exact_text(moved / grid_share));
+}
+
 /// Takes the scenarios of pairs of bodies.
-Status take_pairs(const Query& query,
+Status take_pairs(const JobSpec& spec,
+                  std::vector<PlacedBody> bodies,
                   PairSet ignored,
                   std::unique_ptr<StepPoses> poses,
                   const StopCheck& stop,
                   PreparedScene& prepared) {
     prepared.head = scene_head(hashes_of(prepared.scene),
                                prepared.are_fixed,
-                               steps_tested(query, poses->steps()),
+                               steps_tested(spec.query, poses->steps()),
                                ignored,
                                prepared.ignored);
     auto made = CD_TRY(ScenePoses::create(
-        scene_of(placed(prepared.scene, prepared.are_fixed), std::move(ignored), query),
-        std::move(poses),
-        stop));
+        scene_of(std::move(bodies), std::move(ignored), prepared.query), std::move(poses), stop));
+    CD_TRY(check_chord(spec, *made));
     prepared.steps = made->steps();
     prepared.facts.absences.assign(made->absences().begin(), made->absences().end());
     prepared.facts.moved = made->moved();
@@ -118,6 +134,33 @@ Result<std::shared_ptr<const RoadTraffic>> read_traffic(const SceneSpec& scene, 
     return std::make_shared<const RoadTraffic>(CD_TRY(read_fcd_file(*scene.fcd)));
 }
 
+/// Puts keys between the steps where rows have velocities. Errors: as `CurvedSteps::create`;
+/// BadInput for a chord without velocities.
+Status follow_curves(const JobSpec& spec,
+                     const std::vector<PlacedBody>& bodies,
+                     OpenedSteps& steps,
+                     std::vector<std::string>& notes,
+                     const StopCheck& stop) {
+    if (steps.rates.empty()) {
+        return spec.chord
+                   ? Status(error_at_key(spec, "chord", "[motion]: " + std::string(chord_use)))
+                   : Status(Done{});
+    }
+    if (!spec.query.motion) {
+        notes.emplace_back("velocities count with [motion] alone; poses are tested as they are");
+        return Done{};
+    }
+    const double off_max = spec.chord.value_or(spec.query.motion->resolution / 8);
+    const std::uint64_t given = steps.poses->steps();
+    auto curved = CD_TRY(
+        CurvedSteps::create(std::move(steps.poses), std::move(steps.rates), bodies, off_max, stop));
+    notes.push_back(grouped(given) + " steps became " + counted(curved->steps(), "key") +
+                    " along the bodies' velocities, within " + exact_text(off_max) + " " +
+                    spec.unit + (spec.chord ? ", by which the clearance grows" : " of them"));
+    steps.poses = std::move(curved);
+    return Done{};
+}
+
 } // namespace
 
 double reach_of(const Query& query) {
@@ -145,24 +188,34 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     const SlowNote note("reading poses, and pairing the boxes of each step...", quiet);
     auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file, std::move(traffic)));
     if (spec.query.motion && steps.poses->steps() < 2) {
-        return bad_input(spec.file,
-                         "[motion] leads from one step to the next; give the bodies poses for two "
-                         "steps or more, or leave out [motion]");
+        return error_at_key(
+            spec,
+            "[motion]",
+            "[motion] leads from one step to the next; give the bodies poses for two "
+            "steps or more, or leave out [motion]");
     }
     append(prepared.warnings, steps.warnings);
+    prepared.query = covering(spec.query, spec.chord);
+    std::vector<PlacedBody> bodies = placed(prepared.scene, steps.are_fixed);
+    CD_TRY(follow_curves(spec, bodies, steps, prepared.notes, stop));
     prepared.zeros = std::move(steps.zeros);
     prepared.are_fixed = std::move(steps.are_fixed);
     if (scene.shots) {
         CD_TRY(take_lines(spec, rules.ignored, std::move(steps.poses), stop, prepared));
     } else {
-        CD_TRY(take_pairs(
-            spec.query, std::move(rules.ignored), std::move(steps.poses), stop, prepared));
+        CD_TRY(take_pairs(spec,
+                          std::move(bodies),
+                          std::move(rules.ignored),
+                          std::move(steps.poses),
+                          stop,
+                          prepared));
     }
     const std::uint64_t count = prepared.steps->steps();
     if (scene.rules.learn && *scene.rules.learn >= count) {
-        return bad_input(spec.file,
-                         "[rules] learn = " + std::to_string(*scene.rules.learn) +
-                             ": the steps are 0 to " + std::to_string(count - 1));
+        return error_at_key(spec,
+                            "learn",
+                            "[rules] learn = " + std::to_string(*scene.rules.learn) +
+                                ": the steps are 0 to " + std::to_string(count - 1));
     }
     return prepared;
 }

@@ -41,8 +41,10 @@ struct PreparedScene {
     SceneFacts facts;
     std::optional<SceneLines> lines; ///< A body after all of `scene`, with which these are tested.
     SceneHead head;
+    Query query; ///< With a clearance that covers the chord of curves; without `Query::ignored`.
     std::vector<std::string> zeros;    ///< Columns missing in [poses], which count as 0.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
+    std::vector<std::string> notes;    ///< What became of curves; a sentence each.
 };
 
 /// Returns how far apart bodies may be so that the query asks about them: its clearance or `up_to`,

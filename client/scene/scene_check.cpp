@@ -80,6 +80,14 @@ std::string rules_text(const RulesSpec& rules, const PreparedScene& prepared) {
     return text;
 }
 
+std::string notes_text(const std::vector<std::string>& notes) {
+    std::string text;
+    for (const std::string& note : notes) {
+        text += "  " + note + "\n";
+    }
+    return text;
+}
+
 } // namespace
 
 std::string keys_text(double moved, const std::string& unit) {
@@ -96,7 +104,7 @@ std::string check_text(const JobSpec& spec, const PreparedScene& prepared) {
            (moved ? " of motion, " : ", ") + counted(steps.count(), "scenario") +
            (prepared.lines ? ", each of a body and a bundle" : "") + ":\n" +
            coverage_text(steps, prepared.facts.absences, prepared.scene, "  ") +
-           (moved ? "  " + keys_text(*moved, spec.unit) + "\n" : "");
+           (moved ? "  " + keys_text(*moved, spec.unit) + "\n" : "") + notes_text(prepared.notes);
 }
 
 } // namespace cd

@@ -18,7 +18,7 @@ namespace {
 
 /// The file of an entry's own poses, and the bodies that have them.
 struct OwnPoses {
-    std::unique_ptr<PoseSource> source;
+    std::shared_ptr<PoseSource> source;
     std::vector<std::uint32_t> bodies;
 };
 
@@ -68,6 +68,14 @@ class FileSteps final : public StepPoses {
   private:
     PoseSources sources_;
 };
+
+/// Multiplies all lengths.
+void scale(std::vector<PoseRates>& rates, double factor) {
+    for (PoseRates& each : rates) {
+        each.velocity *= factor;
+        each.acceleration *= factor;
+    }
+}
 
 /// A file that gives poses for each step, for messages.
 struct StepsOfFile {
@@ -152,8 +160,28 @@ class StepsOpening {
         files_.push_back({table.name, table.rows->row_count(), table.labels.times});
         opened_.zeros = table.zeros;
         add_warnings(opened.warnings);
+        add_table_rates(opened.table);
         sources_.table = std::move(opened.table);
         return Done{};
+    }
+
+    /// Takes the velocities of the bodies in [poses], if it has them.
+    void add_table_rates(PoseTable& table) {
+        if (table.rates.empty()) {
+            return;
+        }
+        StepRates rates;
+        for (std::size_t column = 0; column < sources_.table_bodies.size(); ++column) {
+            rates.bodies.push_back({sources_.table_bodies[column], column});
+        }
+        rates.columns = table.bodies.size();
+        rates.rates = std::exchange(table.rates, {});
+        scale(rates.rates, table.length_factor);
+        rates.name = [name = table.name, lines = table.lines, columns = rates.columns](
+                         std::uint64_t step, std::size_t column) {
+            return name + ": line " + std::to_string(lines[step * columns + column]);
+        };
+        opened_.rates.push_back(std::move(rates));
     }
 
     /// Names the nearest body. Of many bodies not all are listed.
@@ -192,15 +220,36 @@ class StepsOpening {
 
     Status open_own(const PoseFileSpec& file, std::vector<std::uint32_t> bodies) {
         auto opened = CD_TRY(open_pose_file(file));
-        if (!opened.rates.empty()) {
-            return bad_input(file.path,
-                             "velocities are for the poses of two bodies; bodies of a "
-                             "scene move straight from step to step, so leave the "
-                             "columns out");
-        }
+        CD_TRY(within(file.path.string() + ": ", check_times(opened)));
         files_.push_back({file.path.string(), opened.source->count(), opened.labels.times});
         add_warnings(opened.warnings);
-        sources_.own.push_back({std::move(opened.source), std::move(bodies)});
+        const std::shared_ptr<PoseSource> source = std::move(opened.source);
+        if (!opened.rates.empty()) {
+            StepRates rates;
+            for (const std::uint32_t body : bodies) {
+                rates.bodies.push_back({body, 0});
+            }
+            rates.rates = std::move(opened.rates);
+            rates.name = [name = file.path.string(), source](std::uint64_t step, std::size_t) {
+                return name + ": " + source->place_of(step);
+            };
+            opened_.rates.push_back(std::move(rates));
+        }
+        sources_.own.push_back({source, std::move(bodies)});
+        return Done{};
+    }
+
+    /// Checks that the times of a body's own poses rise.
+    static Status check_times(const OpenedPoses& opened) {
+        const std::vector<double>& times = opened.labels.times;
+        for (std::size_t row = 1; row < times.size(); ++row) {
+            if (!(times[row - 1] < times[row])) {
+                return bad_input(opened.source->place_of(row) + ": the time " +
+                                 exact_text(times[row]) + " is not after " +
+                                 exact_text(times[row - 1]) + " of " +
+                                 opened.source->place_of(row - 1));
+            }
+        }
         return Done{};
     }
 

@@ -1,6 +1,7 @@
 // The poses of a scene's bodies at each step, from the job file and the files that it names.
 #pragma once
 
+#include "client/curves/step_curves.hpp"
 #include "client/poses/traffic.hpp"
 #include "client/scene/scene_bodies.hpp"
 #include "client/spec/scene_spec.hpp"
@@ -19,6 +20,7 @@ struct OpenedSteps {
     std::vector<bool> are_fixed; ///< For each body, whether its pose is the same at all steps.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
     std::vector<std::string> zeros; ///< Columns missing in the file of [poses], which count as 0.
+    std::vector<StepRates> rates;   ///< Of each file that has velocities.
 };
 
 /// Opens the poses of all bodies and checks them. A body has its `pose`, a file of its own, or rows

@@ -88,8 +88,8 @@ void read_query(const TomlFields& job, JobSpec& spec) {
     if (const auto conflict = conflict_in(query)) {
         fields.refuse(conflict->key, std::string(conflict->reason));
     }
-    if (const Status scene = check_scene_query(query); spec.scene && !scene) {
-        fields.refuse("level", scene.error().detail);
+    if (const auto conflict = conflict_in_scene(query); spec.scene && conflict) {
+        fields.refuse(conflict->key, std::string(conflict->reason));
     }
     read_ignore(fields, spec);
 }
@@ -124,7 +124,7 @@ void read_motion(const TomlFields& job, JobSpec& spec) {
         fields.refuse("chord", "chord is a length above 0, in the job's unit");
     }
     const bool may_be_curve = std::holds_alternative<CurveSpec>(spec.poses) ||
-                              (std::holds_alternative<PoseFileSpec>(spec.poses) && !spec.scene);
+                              std::holds_alternative<PoseFileSpec>(spec.poses);
     if (spec.chord && !may_be_curve) {
         fields.refuse("chord", std::string(chord_use));
     }
@@ -298,9 +298,17 @@ void read_job(const toml::table& table, JobSpec& spec) {
     read_query(job, spec);
     read_output(job, spec);
     read_cluster(job, spec);
+    spec.lines = lines_of(table, {"poses", "rules", "motion", "query", "output", "cluster"});
 }
 
 } // namespace
+
+Error error_at_key(const JobSpec& spec, std::string_view key, const std::string& detail) {
+    const auto line = spec.lines.find(key);
+    return spec.file.empty()
+               ? bad_input(detail)
+               : error_in_job(spec.file, line == spec.lines.end() ? 0 : line->second, detail);
+}
 
 void take_shots(ShotsSpec shots, JobSpec& spec) {
     spec.bodies[1].name = lines_name;
@@ -329,18 +337,6 @@ std::vector<BodySpec*> meshes_of(JobSpec& spec) {
         meshes.push_back(&body.mesh);
     }
     return meshes;
-}
-
-Status check_scene_query(const Query& query) {
-    if (query.question == Question::Distance && !query.up_to) {
-        return bad_input("with [bodies], level distance needs up_to: pairs of bodies that are "
-                         "farther apart get no distance");
-    }
-    if (query.question == Question::Shots && query.maps) {
-        return bad_input("maps count the triangles of one body; with [bodies] leave out maps: the "
-                         "parts that lines cross are in the summary");
-    }
-    return Done{};
 }
 
 Status check_matching(const ClusterOptions& options) {

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,11 +37,19 @@ struct OutputSpec {
 };
 
 /// The error for `chord` in a job without a curve.
-inline constexpr std::string_view chord_use =
-    "chord is for line, arc, screw and drive, and for a file of two bodies' poses with velocities; "
-    "without these the path is straight from pose to pose";
+inline constexpr std::string_view chord_use = "chord is for line, arc, screw and drive, and for "
+                                              "files of poses with velocities; without these "
+                                              "the path is straight from pose to pose";
 
-struct JobSpec {
+/// Where a job is described, for errors.
+struct JobSource {
+    std::filesystem::path file; ///< The job file, or empty.
+    /// The lines of the keys of [poses], [rules], [motion], [query], [output] and [cluster] in the
+    /// job file, and of its tables, such as "[shots]"; 0 for a job that a results folder keeps.
+    std::map<std::string, std::uint32_t, std::less<>> lines;
+};
+
+struct JobSpec : JobSource {
     std::string name;
     std::string unit = "m";
     std::array<BodySpec, 2> bodies; ///< Not used with `scene`.
@@ -55,7 +65,6 @@ struct JobSpec {
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;
-    std::filesystem::path file; ///< The job file, or empty.
 };
 
 /// Reads and checks a job file. Relative paths in it are relative to its folder. Errors: NotFound,
@@ -64,6 +73,11 @@ struct JobSpec {
 
 /// Parses the text of a job file; `path` is used in messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
+
+/// Returns the error BadInput "JOB:LINE: DETAIL" for a key in `JobSpec::lines`, without the line if
+/// it is not known, and without the place if there is no job file.
+[[nodiscard]] Error
+error_at_key(const JobSpec& spec, std::string_view key, const std::string& detail);
 
 /// Makes the lines of [shots] the job's body B, and their bundles its poses.
 void take_shots(ShotsSpec shots, JobSpec& spec);
@@ -76,9 +90,6 @@ void take_shots(ShotsSpec shots, JobSpec& spec);
 
 /// Returns the mesh files that a job names: those of two bodies, or of the entries of [bodies].
 [[nodiscard]] std::vector<BodySpec*> meshes_of(JobSpec& spec);
-
-/// Refuses what a scene cannot ask: distances without `up_to`, maps of lines. Errors: BadInput.
-[[nodiscard]] Status check_scene_query(const Query& query);
 
 /// Refuses `q` and `claim` for a strategy that ignores them. Errors: BadInput.
 [[nodiscard]] Status check_matching(const ClusterOptions& options);

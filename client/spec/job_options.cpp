@@ -3,10 +3,14 @@
 #include "client/base/units.hpp"
 #include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <limits>
+#include <map>
+#include <string_view>
 #include <utility>
 
 namespace cd {
@@ -93,6 +97,63 @@ Status replace_length(const char* option,
     return Done{};
 }
 
+/// The keys of a job file, each with the option that sets it as the user wrote it.
+using GivenOptions = std::map<std::string_view, std::string>;
+
+GivenOptions given_options(const JobOptions& options) {
+    GivenOptions given;
+    const auto add = [&](std::string_view key, bool is_given, const std::string& option) {
+        if (is_given) {
+            given.emplace(key, option);
+        }
+    };
+    const QueryOptions& query = options.query;
+    add("level", !query.level.empty(), "--level " + query.level);
+    add("limit_pairs",
+        query.limit_pairs.has_value(),
+        "--limit-pairs " + std::to_string(query.limit_pairs.value_or(0)));
+    add("maps", query.maps, "--maps");
+    add("clearance",
+        query.clearance.has_value(),
+        "--clearance " + exact_text(query.clearance.value_or(0)));
+    add("up_to", query.up_to.has_value(), "--up-to " + exact_text(query.up_to.value_or(0)));
+    const std::vector<std::string>& formats = options.output.formats;
+    add("formats", !formats.empty(), fmt::format("--formats {}", fmt::join(formats, ",")));
+    const MatchingOptions& cluster = options.cluster;
+    add("strategy", !cluster.strategy.empty(), "--strategy " + cluster.strategy);
+    add("q", cluster.q.has_value(), "--q " + std::to_string(cluster.q.value_or(0)));
+    add("claim", cluster.claim, "--claim");
+    add("depth", !cluster.depth_a.empty(), "--depth-a " + cluster.depth_a);
+    add("depth", !cluster.depth_b.empty(), "--depth-b " + cluster.depth_b);
+    return given;
+}
+
+/// Returns the error of keys that do not go together. It names the options that set them, and the
+/// places of the others in the job file.
+Error conflict_between(std::initializer_list<std::string_view> keys,
+                       const std::string& reason,
+                       const GivenOptions& given,
+                       const JobSpec& spec) {
+    std::string options;
+    std::string others;
+    std::optional<std::uint32_t> line;
+    for (const std::string_view key : keys) {
+        const auto option = given.find(key);
+        const auto in_file = spec.lines.find(key);
+        if (option != given.end()) {
+            options += (options.empty() ? "" : " and ") + option->second;
+        } else if (in_file != spec.lines.end()) {
+            line = line.value_or(in_file->second);
+            others += fmt::format(" and {} of {}", key, spec.file.string());
+            others += in_file->second == 0 ? "" : ":" + std::to_string(in_file->second);
+        }
+    }
+    if (options.empty()) {
+        return line ? error_in_job(spec.file, *line, reason) : usage(reason);
+    }
+    return usage(options + others + ": " + reason);
+}
+
 Status apply(const QueryOptions& options, Query& query) {
     if (!options.level.empty() && !set_asked_level(options.level, query)) {
         return usage(fmt::format(
@@ -104,11 +165,7 @@ Status apply(const QueryOptions& options, Query& query) {
     }
     query.maps = query.maps || options.maps;
     CD_TRY(replace_length("--clearance", options.clearance, query.clearance));
-    CD_TRY(replace_length("--up-to", options.up_to, query.up_to));
-    if (const auto conflict = conflict_in(query)) {
-        return usage(std::string(conflict->reason));
-    }
-    return Done{};
+    return replace_length("--up-to", options.up_to, query.up_to);
 }
 
 Status apply(const OutputOptions& options, OutputSpec& output) {
@@ -147,15 +204,34 @@ Status apply(const MatchingOptions& options, JobSpec& spec) {
     replace(spec.cluster.q, options.q);
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;
-    return check_matching(spec.cluster);
+    return Done{};
 }
 
-/// Refuses distribution depths for a scene, since they are for two bodies. Errors: BadInput.
-Status check_no_depths(const MatchingOptions& options) {
-    return options.depth_a.empty() && options.depth_b.empty()
-               ? Status(Done{})
-               : usage("--depth-a and --depth-b are for two bodies; leave them out for a job with "
-                       "[bodies]");
+/// Refuses keys that do not go together once the options are applied. Errors: BadInput.
+Status check_together(const GivenOptions& given, const JobSpec& spec) {
+    const auto conflict = [&](std::initializer_list<std::string_view> keys, std::string_view why) {
+        return conflict_between(keys, std::string(why), given, spec);
+    };
+    if (const auto found = conflict_in(spec.query)) {
+        return conflict({found->key, found->other}, found->reason);
+    }
+    if (const auto found = conflict_in_scene(spec.query); spec.scene && found) {
+        return conflict({found->key, found->other}, found->reason);
+    }
+    if (spec.scene && given.contains("depth")) {
+        return conflict({"depth", "[bodies]"},
+                        "distribution depths are for two bodies; leave them out for a job with "
+                        "[bodies]");
+    }
+    const MapUse use{spec.query.level, spec.query.maps, spec.scene.has_value()};
+    if (const Status formats = check_map_formats(spec.output.formats, use);
+        !spec.output.dir.empty() && !formats) {
+        return conflict({"formats", spec.scene ? "[bodies]" : "level"}, formats.error().detail);
+    }
+    if (const Status matching = check_matching(spec.cluster); !matching) {
+        return conflict({"q", "claim", "strategy"}, matching.error().detail);
+    }
+    return Done{};
 }
 
 } // namespace
@@ -167,16 +243,9 @@ Status apply(const JobOptions& options, JobSpec& spec) {
             options.precision.empty() ? body->rounds_to_float : options.precision == "float";
     }
     CD_TRY(apply(options.query, spec.query));
-    if (spec.scene) {
-        CD_TRY(check_scene_query(spec.query));
-        CD_TRY(check_no_depths(options.cluster));
-    }
     CD_TRY(apply(options.output, spec.output));
-    if (!spec.output.dir.empty()) {
-        CD_TRY(check_map_formats(spec.output.formats,
-                                 {spec.query.level, spec.query.maps, spec.scene.has_value()}));
-    }
-    return apply(options.cluster, spec);
+    CD_TRY(apply(options.cluster, spec));
+    return check_together(given_options(options), spec);
 }
 
 Status check_no_inputs(const JobOptions& options) {

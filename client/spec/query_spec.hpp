@@ -30,9 +30,11 @@ inline constexpr std::array<std::string_view, 3> until_words{"contact", "free", 
 /// query with a motion. Returns false if it is none of `asked_levels`.
 [[nodiscard]] bool set_asked_level(std::string_view word, Query& query);
 
-/// A key of [query] that does not go together with the level.
+/// A key of [query] that does not go together with the level, or with another table.
 struct QueryConflict {
     std::string_view key;
+    std::string_view other;  ///< The other key, or the table: level, [shots], [motion] or
+                             ///< [bodies].
     std::string_view reason; ///< Also says what to do.
 };
 
@@ -41,5 +43,15 @@ struct QueryConflict {
 /// and pairs and maps of motions, up_to of anything but a distance, limit_pairs below level pairs,
 /// and maps at level any.
 [[nodiscard]] std::optional<QueryConflict> conflict_in(const Query& query);
+
+/// Returns the first key that the query of a scene may not have: the distance without up_to, and
+/// maps.
+[[nodiscard]] std::optional<QueryConflict> conflict_in_scene(const Query& query);
+
+/// Returns the sum of a clearance and a chord, rounded up.
+[[nodiscard]] double with_chord(double clearance, double chord);
+
+/// Returns the query with a clearance that covers the chord of curves as well, if there is one.
+[[nodiscard]] Query covering(Query query, const std::optional<double>& chord);
 
 } // namespace cd

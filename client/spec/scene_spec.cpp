@@ -228,7 +228,8 @@ void read_poses_table(const TomlFields& job,
     if (table == nullptr) {
         return;
     }
-    for (const std::string_view key : {"grid", "random", "of"}) {
+    for (const std::string_view key :
+         {"grid", "random", "of", "line", "arc", "screw", "drive", "max_step"}) {
         if (const toml::node* node = table->get(key)) {
             job.refuse(*node,
                        "[poses] " + std::string(key) +

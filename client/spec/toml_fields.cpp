@@ -47,6 +47,21 @@ Error error_at(const std::string& file, const toml::source_region& where, const 
     return bad_input(file + ":" + std::to_string(where.begin.line) + ": " + what);
 }
 
+KeyLines lines_of(const toml::table& document, std::initializer_list<std::string_view> of) {
+    KeyLines lines;
+    for (const auto& [name, node] : document) {
+        lines.emplace("[" + std::string(name.str()) + "]", node.source().begin.line);
+        const toml::table* const table = node.as_table();
+        if (table == nullptr || std::ranges::find(of, name.str()) == of.end()) {
+            continue;
+        }
+        for (const auto& [key, value] : *table) {
+            lines.emplace(key.str(), value.source().begin.line);
+        }
+    }
+    return lines;
+}
+
 TomlFields::TomlFields(const toml::table& table,
                        std::string file,
                        std::string name,

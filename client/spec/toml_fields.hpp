@@ -7,7 +7,9 @@
 #include <toml++/toml.h>
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +22,13 @@ namespace cd {
 /// Returns the error BadInput "FILE:LINE: WHAT".
 [[nodiscard]] Error
 error_at(const std::string& file, const toml::source_region& where, const std::string& what);
+
+/// Lines of a document, by key; those of tables by "[NAME]".
+using KeyLines = std::map<std::string, std::uint32_t, std::less<>>;
+
+/// Returns the lines of a document's tables, and those of the keys in the tables `of`.
+[[nodiscard]] KeyLines lines_of(const toml::table& document,
+                                std::initializer_list<std::string_view> of);
 
 /// Reads the values of one table. A missing key gives nothing or null. A value of the wrong type
 /// ends the reading: `refuse` throws a `Refusal`.

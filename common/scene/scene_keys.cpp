@@ -7,6 +7,7 @@
 #include "common/motion/motion_keys.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -107,6 +108,14 @@ Error SceneKeys::error_at(std::uint64_t step, std::size_t body, const Error& err
 
 Result<PosesOfStep> SceneKeys::read(std::uint64_t step) {
     return keys_of(step, CD_TRY(given_->read(step)));
+}
+
+double SceneKeys::moved_between() const {
+    double radius = 0;
+    for (const PlacedBody& body : bodies_) {
+        radius = std::max(radius, body.radius);
+    }
+    return moved_ + std::ldexp(radius, static_cast<int>(grid_->bits) - 50);
 }
 
 /// Rounds the poses of a step to the grid; while there is none, to quaternions of norm 1 alone.

@@ -42,6 +42,12 @@ class SceneKeys final : public StepPoses {
     [[nodiscard]] const KeyGrid& grid() const { return *grid_; }
     /// Returns how far rounding has moved a point of any body, at most, in the job's unit.
     [[nodiscard]] double moved() const { return moved_; }
+    /// Returns how far that moves a point of any body at most, at any time of the motions.
+    ///
+    /// Rounding moves each component of a quaternion by at most 2^(bits-53), so q(tau) by at most
+    /// 2^(bits-52). |q(tau)| is at least cos(45 degrees), so the body turns by less than
+    /// 2^(bits-50.4) more or less. c(tau) moves by no more than its ends do, which `moved` covers.
+    [[nodiscard]] double moved_between() const;
 
   private:
     /// What all keys need of a grid, and how far they are from the given poses at most.

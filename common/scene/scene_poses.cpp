@@ -83,6 +83,7 @@ Status ScenePoses::take_keys(const StopCheck& stop) {
     auto keys =
         CD_TRY(SceneKeys::create(std::move(poses_), scene_.bodies, *scene_.resolution, stop));
     moved_ = keys->moved();
+    moved_between_ = keys->moved_between();
     poses_ = std::move(keys);
     return Done{};
 }

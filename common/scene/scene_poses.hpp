@@ -58,6 +58,8 @@ class ScenePoses final : public PoseSource {
     /// Returns how far the rounding of keys has moved a point of any body, at most, in the job's
     /// unit; nothing without motions.
     [[nodiscard]] std::optional<double> moved() const { return moved_; }
+    /// Returns how far that moves any point of a body at most, at any time of the motions.
+    [[nodiscard]] std::optional<double> moved_between() const { return moved_between_; }
 
   private:
     /// A step's poses and the pairs that it tests, sorted.
@@ -87,6 +89,7 @@ class ScenePoses final : public PoseSource {
     std::shared_ptr<const StepIndex> index_;
     std::vector<std::uint64_t> absences_;
     std::optional<double> moved_;
+    std::optional<double> moved_between_;
     std::mutex mutex_;         ///< Guards `poses_` and `kept_`.
     std::optional<Step> kept_; ///< The step that was read last.
 };

@@ -161,21 +161,25 @@ Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
     const std::size_t bodies = runs.later.job.meshes.size();
     const bool maps_pairs = runs.maps_pairs();
     const bool have_groups = runs.have_groups();
-    return for_each_pair({runs.earlier.run.records(), runs.earlier.job.poses->count()},
-                         {runs.later.run.records(), runs.later.job.poses->count()},
-                         match,
-                         &InterruptGuard::has_come,
-                         [&](const PairedResult& pair) -> Status {
-                             CD_TRY(check_bodies(pair.was, bodies));
-                             CD_TRY(check_bodies(pair.is, bodies));
-                             if (have_groups) {
-                                 found.groups.add(pair);
-                             }
-                             if (maps_pairs) {
-                                 found.triangles.add(pair);
-                             }
-                             return found.scenarios.add(pair);
-                         });
+    const auto apart = apart_pairs(runs.earlier, runs.later);
+    return for_each_pair(
+        {runs.earlier.run.records(),
+         runs.earlier.job.poses->count(),
+         apart ? &apart->front() : nullptr},
+        {runs.later.run.records(), runs.later.job.poses->count(), apart ? &apart->back() : nullptr},
+        match,
+        &InterruptGuard::has_come,
+        [&](const PairedResult& pair) -> Status {
+            CD_TRY(check_bodies(pair.was, bodies));
+            CD_TRY(check_bodies(pair.is, bodies));
+            if (have_groups) {
+                found.groups.add(pair);
+            }
+            if (maps_pairs) {
+                found.triangles.add(pair);
+            }
+            return found.scenarios.add(pair);
+        });
 }
 
 /// Adds the contact maps of runs without lists of pairs: their sums by part, and their triangles if
@@ -285,8 +289,10 @@ Result<int> perform(const DiffCommand& command) {
     CD_TRY(check_comparable(earlier.run.manifest(), later.run.manifest()));
     Compared runs{earlier, later, changes_between(earlier.run.manifest(), later.run.manifest())};
     if (command.fail_on == DiffFailOn::New) {
-        CD_TRY(check_groups(earlier.job.query, earlier.map));
-        CD_TRY(check_groups(later.job.query, later.map));
+        CD_TRY(within("--fail-on new: " + command.earlier + ": ",
+                      check_groups(earlier.job.query, earlier.map)));
+        CD_TRY(within("--fail-on new: " + command.later + ": ",
+                      check_groups(later.job.query, later.map)));
     }
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const auto matched = CD_TRY(match(runs));

@@ -39,14 +39,16 @@ Result<std::vector<ChangedGroup>> changed_groups(RunAtHand& earlier, RunAtHand& 
     GroupDiff groups(meshes_in(earlier),
                      meshes_in(later),
                      part_kind(std::min(earlier.job.query.level, later.job.query.level)));
-    CD_TRY(for_each_pair({earlier.run.records(), earlier.job.poses->count()},
-                         {later.run.records(), later.job.poses->count()},
-                         match,
-                         &InterruptGuard::has_come,
-                         [&](const PairedResult& pair) {
-                             groups.add(pair);
-                             return Status(Done{});
-                         }));
+    const auto apart = apart_pairs(earlier, later);
+    CD_TRY(for_each_pair(
+        {earlier.run.records(), earlier.job.poses->count(), apart ? &apart->front() : nullptr},
+        {later.run.records(), later.job.poses->count(), apart ? &apart->back() : nullptr},
+        match,
+        &InterruptGuard::has_come,
+        [&](const PairedResult& pair) {
+            groups.add(pair);
+            return Status(Done{});
+        }));
     CD_TRY(groups.add_sums(earlier.sums(), later.sums()));
     return groups.groups();
 }
@@ -78,8 +80,14 @@ void warn_of_pieces(const RunAtHand& run, GroupSum& groups) {
 }
 
 /// Returns how a run compares with its baseline, with the first groups that are new.
-std::string
-judged_text(const GroupStatuses& statuses, const std::string& baseline, std::uint64_t inside) {
+std::string judged_text(const GroupStatuses& statuses,
+                        const std::vector<std::string>& bodies,
+                        const std::string& baseline,
+                        std::uint64_t inside) {
+    // In a scene a part alone does not tell whose it is.
+    const auto part_name = [&](std::uint32_t body, const std::string& part) {
+        return (bodies.size() > 2 ? escaped(bodies[body]) + "/" : "") + escaped(part);
+    };
     constexpr std::size_t shown_max = 10;
     std::string text = "  baseline      " + baseline + ": ";
     const char* comma = "";
@@ -91,9 +99,10 @@ judged_text(const GroupStatuses& statuses, const std::string& baseline, std::uin
     std::size_t shown = 0;
     for (const JudgedGroup& each : statuses.groups()) {
         if (GroupStatuses::is_news(each) && shown++ < shown_max) {
-            text += "  new           " + escaped(each.group.part_a) + " x " +
-                    escaped(each.group.part_b) + ": " + counted(each.group.scenarios, "scenario") +
-                    ", worst #" + std::to_string(each.group.worst) + " with " +
+            text += "  new           " + part_name(each.group.body_a, each.group.part_a) + " x " +
+                    part_name(each.group.body_b, each.group.part_b) + ": " +
+                    counted(each.group.scenarios, "scenario") + ", worst #" +
+                    std::to_string(each.group.worst) + " with " +
                     counted(each.group.worst_pairs, "pair") + "\n";
         }
     }
@@ -181,8 +190,9 @@ judge_folder(Judge& judge, const RunCommand& command, const std::string& dir, Th
     auto groups = CD_TRY(groups_of(run.run.records(), std::move(begun), &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(run, groups));
     if (judge.has_baseline()) {
-        std::fputs(judged_text(statuses, command.judge.baseline, groups.inside()).c_str(),
-                   command.output == "text" ? stdout : stderr);
+        std::fputs(
+            judged_text(statuses, names_in(run), command.judge.baseline, groups.inside()).c_str(),
+            command.output == "text" ? stdout : stderr);
     }
     return statuses.has_news();
 }

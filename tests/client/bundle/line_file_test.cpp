@@ -114,6 +114,8 @@ TEST(LineFile, RefusesWhatIsNoLineAndNamesTheRow) {
     EXPECT_THAT(odd.error().detail, HasSubstr("(1, 7)"));
     EXPECT_EQ(read_lines("/none.npy", LineForm::Ends, unit_box()).error().code,
               ErrorCode::NotFound);
+    EXPECT_EQ(read_lines("/lines.csv", LineForm::Ends, unit_box()).error().detail,
+              "/lines.csv: lines come from an .npy file of shape (N, 6)");
 }
 
 } // namespace cd::tests

@@ -95,6 +95,13 @@ TEST(CommandLine, WrongUsageIsTwo) {
     }
 }
 
+TEST(CommandLine, AWrongChoiceIsToldTheOthers) {
+    EXPECT_THAT(parse_command_line({"diff", "old", "new", "--fail-on", "most"}).text,
+                StartsWith("cdctl: --fail-on: most not in {any,new}\n"));
+    EXPECT_THAT(parse_command_line({"run", "job.toml", "--first-stage", "half"}).text,
+                StartsWith("cdctl: --first-stage: half not in {float,double,"));
+}
+
 TEST(CommandLine, AMistypedVerbIsToldTheNearest) {
     const auto text_of = [](std::vector<std::string> arguments) {
         const CommandLine line = parse_command_line(std::move(arguments));

@@ -47,7 +47,7 @@ class MotionCommand : public testing::Test {
         testing::internal::CaptureStdout();
         testing::internal::CaptureStderr();
         const int code = execute(command);
-        static_cast<void>(testing::internal::GetCapturedStdout());
+        stdout_ = testing::internal::GetCapturedStdout();
         stderr_ = testing::internal::GetCapturedStderr();
         return code;
     }
@@ -63,6 +63,7 @@ class MotionCommand : public testing::Test {
 
     const TemporaryFolder folder_;
     const std::filesystem::path dir_ = folder_.path();
+    std::string stdout_;
     std::string stderr_;
 };
 
@@ -76,6 +77,26 @@ TEST_F(MotionCommand, AnswersEachMotionWithItsTimes) {
     EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,"));
     EXPECT_THAT(rows, HasSubstr(",contact,1"));
     EXPECT_THAT(stderr_, HasSubstr("note: keys of motions are rounded to a grid"));
+}
+
+TEST_F(MotionCommand, AMotionThatEndsAtItsLimitHasNoBound) {
+    // The apex of B slides along the lowest face of A, 1e-7 below it.
+    const std::string keys = "x,y,z\n-5,0.1,-1.0000001\n5,0.1,-1.0000001\n";
+    EXPECT_EQ(run("file = \"keys.csv\"\n[motion]\nresolution = 1e-5\n", keys), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("or more keys where a motion ends at its limit of parts"));
+    const std::string limited = read_text(dir_ / "out/scenarios.csv");
+    EXPECT_THAT(limited, HasSubstr("\n0,a,b,undecided,0,limit,0."));
+    EXPECT_THAT(limited, HasSubstr(",0,inf,"));
+    // A larger resolution reaches the end, with a bound.
+    EXPECT_EQ(run("file = \"keys.csv\"\n[motion]\nresolution = 1e-2\n", keys), exit_done);
+    EXPECT_THAT(read_text(dir_ / "out/scenarios.csv"),
+                HasSubstr("\n0,a,b,undecided,0,free,,,0,0.0"));
+}
+
+TEST_F(MotionCommand, NearnessIsThatOfTheKeysAlone) {
+    // Between its keys, B passes through A; the way out is free from the begin.
+    EXPECT_EQ(run(file + "until = \"free\"\n", "x\n-3\n3\n"), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("no key of a motion brings B within 2.0 m of A"));
 }
 
 TEST_F(MotionCommand, VelocitiesBendThePathBetweenTwoRows) {
@@ -103,7 +124,7 @@ TEST_F(MotionCommand, VelocitiesThatMissTheNextRowAreRefusedByItsLine) {
         "keys.csv: line 3: the velocities of the row before miss this pose by up to 5, ");
     expect_refused(file + "chord = 0.01\n",
                    "x,z\n-3,0\n3,0\n",
-                   "job.toml: [motion]: chord is for line, arc, screw and drive");
+                   "job.toml:9: [motion]: chord is for line, arc, screw and drive");
     expect_refused(file,
                    "t,x,vx,vy,vz\n1,-3,6,0,0\n1,3,6,0,0\n",
                    "keys.csv: line 3: the time 1 is not after 1 of line 2");
@@ -144,8 +165,9 @@ TEST_F(MotionCommand, WrongNumbersAreRefusedByTheirLineInTheJob) {
                    "job.toml:10: [query]: motions of [motion] are asked at level any or pairs");
     const std::string line = "line = { from = [3.3, 0, 0], to = [0, 0, 0] }\n";
     expect_refused(line + motion + "chord = 0\n", keys, "job.toml:9: [motion]: chord is a length");
-    expect_refused(
-        line + motion + "chord = 3e-12\n", keys, "job.toml: [motion]: chord = 3e-12 is too small");
+    expect_refused(line + motion + "chord = 3e-12\n",
+                   keys,
+                   "job.toml:9: [motion]: chord = 3e-12 is too small");
     expect_refused("file = \"keys.csv\"\nmax_step = -1\n", keys, "job.toml:7: ");
 }
 

@@ -279,7 +279,7 @@ TEST_F(FolderRunTest, ASignalEndsTheWorkBeforeAndAfterTheScenarios) {
         EXPECT_TRUE(is_interrupted(begun.value().finish(report, "text", std::nullopt)));
         EXPECT_TRUE(is_interrupted(hash_of(*job.poses, &InterruptGuard::has_come)));
         EXPECT_TRUE(is_interrupted(nearness_hint(
-            *job.meshes[0], *job.meshes[1], *job.poses, "m", &InterruptGuard::has_come)));
+            *job.meshes[0], *job.meshes[1], *job.poses, "m", "pose", &InterruptGuard::has_come)));
     }
     EXPECT_FALSE(fs::exists(folder_ / "out" / "run.json"));
     const InterruptGuard no_signal_yet;

@@ -71,11 +71,13 @@ TEST(JobPath, TheWarningsSayHowFarKeysAreFromTheCurve) {
 }
 
 TEST(JobPath, AChordBelowTheRoundingOfKeysIsRefused) {
-    EXPECT_THAT(problem_with(3, "resolution = 0.01\nchord = 1e-16\n"),
-                HasSubstr("the curve: numbers of 64 bits do not tell the curve within 1e-16"));
+    EXPECT_THAT(
+        problem_with(3, "resolution = 0.01\nchord = 1e-16\n"),
+        HasSubstr("job.toml:6: [poses] line: numbers of 64 bits do not tell the curve within "
+                  "1e-16"));
     // A kilometre away the grid of keys is wider than the roundings of the curve.
     EXPECT_THAT(problem_with(1000.3, "resolution = 0.01\nchord = 1e-9\n"),
-                HasSubstr("job.toml: [motion]: chord = 1e-09 is too small, since rounding"));
+                HasSubstr("job.toml:9: [motion]: chord = 1e-09 is too small, since rounding"));
     EXPECT_EQ(problem_with(1000.3, "resolution = 0.01\nchord = 1e-6\n"), "none");
 }
 

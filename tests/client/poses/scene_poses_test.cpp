@@ -187,8 +187,10 @@ TEST_F(SceneFile, TheFirstLineNamesStepAndBody) {
     EXPECT_THAT(error_of(csv("step,x\n0,1\n")), HasSubstr("need the columns 'step' and 'body'"));
     EXPECT_THAT(error_of(csv("scenario,body,step,x\n0,a,0,1\n")),
                 HasSubstr("line 1: column 'scenario' is for two bodies; a scene has 'step'"));
-    EXPECT_THAT(error_of(csv("step,body,x,vx,vy,vz\n0,car,1,2,3,4\n")),
-                HasSubstr("line 1: velocities are for the poses of two bodies"));
+    EXPECT_THAT(error_of(csv("step,body,x,vx,vy\n0,car,1,2,3\n")),
+                HasSubstr("line 1: column 'vx' needs column 'vz' as well"));
+    EXPECT_THAT(error_of(csv("step,body,x,vx,vy,vz\n0,car,1,2,3,nan\n")),
+                HasSubstr("line 2: vz is 'nan', not a number"));
     ScenePosesSpec named = csv(header + row("0,car", 1));
     named.body_order = {"car"};
     EXPECT_THAT(error_of(named), HasSubstr("leave body_order out"));

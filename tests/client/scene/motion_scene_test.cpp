@@ -139,14 +139,42 @@ TEST_F(MotionScene, ReadsTheSameFromItsOwnText) {
     EXPECT_TRUE(again.value().scene);
 }
 
+TEST_F(MotionScene, FollowsVelocitiesByKeysBetweenTheSteps) {
+    // car.0 flies over car.1 in a curve: straight from step to step it would go through it.
+    write_text(folder_ / "poses.csv",
+               "step,body,x,z,t,vx,vy,vz,ax,ay,az\n0,car.0,-8,0,0,8,0,8,0,0,-8\n"
+               "0,car.1,0,0,0,0,0,0,0,0,0\n0,car.2,0,0,0,0,0,0,0,0,0\n"
+               "1,car.0,8,0,2,0,0,0,0,0,0\n1,car.1,0,0,2,0,0,0,0,0,0\n"
+               "1,car.2,nan,nan,2,nan,nan,nan,nan,nan,nan\n");
+    const PreparedScene curved = prepared(motion + "chord = 0.01\n");
+    EXPECT_GT(curved.poses->steps()->steps(), 10u);
+    EXPECT_EQ(curved.query.clearance, 0.01);
+    ASSERT_EQ(curved.notes.size(), 1u);
+    EXPECT_THAT(curved.notes[0],
+                AllOf(HasSubstr("2 steps became "),
+                      HasSubstr("within 0.01 m, by which the clearance grows")));
+    const auto steps = curved.poses->steps();
+    EXPECT_EQ(steps->time_at(steps->steps() - 1, 1), 2.0);
+    // Its path is straight within the resolution where a chord is not given.
+    EXPECT_EQ(prepared(motion).query.clearance, std::nullopt);
+    EXPECT_GT(prepared(motion).poses->steps()->steps(), steps->steps() / 3);
+    EXPECT_THAT(prepared("").notes.at(0), HasSubstr("velocities count with [motion] alone"));
+    EXPECT_THAT(problem_of(motion + "chord = 1e-9\n"), HasSubstr("numbers of 64 bits"));
+    const auto spec = read(motion + "chord = 0.01\n");
+    ASSERT_TRUE(spec) << spec.error().detail;
+    EXPECT_THAT(check_text(spec.value(), curved), HasSubstr("  2 steps became "));
+    EXPECT_EQ(parse_job(job_text(spec.value()), folder_ / "job.toml").value().chord, 0.01);
+}
+
 TEST_F(MotionScene, WhatIsNoMotionIsRefused) {
     EXPECT_THAT(problem_of(motion + "chord = 0.1\n"),
-                HasSubstr("job.toml:10: [motion]: chord is for line, arc, screw and drive"));
+                HasSubstr("job.toml:10: [motion]: chord is for line, arc, screw and drive, and for "
+                          "files of poses with velocities"));
     EXPECT_THAT(problem_of(motion + "[query]\nlevel = \"distance\"\nup_to = 1\n"),
                 HasSubstr("motions of [motion] are asked at level any or pairs"));
     write_text(folder_ / "poses.csv", "step,body,x\n0,car.0,0\n0,car.1,2\n0,car.2,4\n");
     EXPECT_THAT(problem_of(motion),
-                AllOf(HasSubstr("job.toml: [motion] leads from one step to the next"),
+                AllOf(HasSubstr("job.toml:8: [motion] leads from one step to the next"),
                       HasSubstr("two steps or more")));
     write_text(folder_ / "poses.csv",
                "step,body,x,yaw_rad\n0,car.0,0,0\n0,car.1,2,0\n0,car.2,4,0\n"

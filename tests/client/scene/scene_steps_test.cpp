@@ -104,9 +104,27 @@ TEST_F(SceneSteps, APartOfASplitMeshMayMove) {
     EXPECT_EQ(x_at(*opened.value().poses, 1), (std::vector<double>{2, 8, 0, 5, 5}));
 }
 
-TEST_F(SceneSteps, AFileWithVelocitiesIsRefused) {
-    spec_.bodies[0].poses = file("v.csv", "x,vx,vy,vz\n1,0,0,0\n2,0,0,0\n");
-    EXPECT_THAT(problem(), HasSubstr("v.csv: velocities are for the poses of two bodies"));
+TEST_F(SceneSteps, TheVelocitiesOfFilesAreThoseOfTheirBodies) {
+    spec_.bodies[0].poses = file("v.csv", "x,vx,vy,vz\n1,4,5,6\n2,7,8,9\n");
+    spec_.poses->file = file("all.csv",
+                             "step,body,x,wx,wy,wz\n1,car.1,4,1,2,3\n1,car.0,3,4,5,6\n"
+                             "0,car.1,1,7,8,9\n0,car.0,2,0,1,2\n");
+    spec_.poses->file.length_factor = 1000;
+    const auto opened = open_steps(spec_, bodies(), "job.toml");
+    ASSERT_TRUE(opened) << opened.error().detail;
+    ASSERT_EQ(opened.value().rates.size(), 2u);
+    const StepRates& all = opened.value().rates[0];
+    ASSERT_EQ(all.columns, 2u);
+    for (const auto& [body, column] : all.bodies) {
+        const bool is_second = body == 3;
+        EXPECT_EQ(all.rates[column].spin, is_second ? Vec3(7, 8, 9) : Vec3(0, 1, 2));
+        EXPECT_EQ(all.name(1, column),
+                  (folder_ / "all.csv").string() + (is_second ? ": line 2" : ": line 3"));
+    }
+    const StepRates& own = opened.value().rates[1];
+    ASSERT_EQ(own.bodies.size(), 1u);
+    EXPECT_EQ(own.rates[1].velocity, Vec3(7, 8, 9));
+    EXPECT_THAT(own.name(1, 0), HasSubstr("v.csv: line 3"));
 }
 
 TEST_F(SceneSteps, ABodyWithoutAPoseIsRefused) {

@@ -99,6 +99,57 @@ TEST(AskedLevel, KeysThatNeedAHigherLevelAreRefusedInTheirLine) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("leave out maps"));
 }
 
+TEST(AskedLevel, AConflictOfAnOptionNamesItAndTheLineOfTheFile) {
+    const TemporaryFolder folder;
+    JobOptions options;
+    options.file = (folder / "job.toml").string();
+    write_text(options.file, job_with("maps = true\nlimit_pairs = 5\n"));
+    options.query.level = "any";
+    EXPECT_EQ(make_job_spec(options).error().detail.find("--level any and limit_pairs of " +
+                                                         options.file + ":9: limit_pairs cuts"),
+              0u);
+    options.query.limit_pairs = 0;
+    EXPECT_EQ(make_job_spec(options).error().detail.find("--level any and maps of " + options.file +
+                                                         ":8: maps need level count"),
+              0u);
+    options.query.maps = true;
+    EXPECT_EQ(make_job_spec(options).error().detail.find("--maps and --level any: maps need"), 0u);
+    options.query = {};
+    options.query.up_to = 2.5;
+    EXPECT_EQ(make_job_spec(options).error().detail.find("--up-to 2.5: up_to belongs to"), 0u);
+    write_text(options.file, job_with("level = \"any\"\n[motion]\nresolution = 1\n"));
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("no order"));
+    write_text(options.file, "[a]\nmesh = \"a.obj\"\n[shots]\nspacing = 1\n");
+    options.query = {};
+    options.query.clearance = 0.5;
+    EXPECT_EQ(make_job_spec(options).error().detail.find("--clearance 0.5 and [shots] of " +
+                                                         options.file + ":3: a line of [shots]"),
+              0u);
+}
+
+TEST(AskedLevel, AConflictOfOtherTablesNamesWhatSetsIt) {
+    const TemporaryFolder folder;
+    JobOptions options;
+    options.file = (folder / "job.toml").string();
+    const auto problem = [&] { return make_job_spec(options).error().detail; };
+    write_text(options.file, job_with("level = \"count\"\n[cluster]\nq = 5\n"));
+    EXPECT_EQ(problem().find(options.file + ":10: q and claim belong to the paper's"), 0u);
+    options.cluster.strategy = "earliest-finish";
+    EXPECT_EQ(problem().find("--strategy earliest-finish and q of " + options.file +
+                             ":10: q and claim belong to"),
+              0u);
+    options.cluster = {};
+    write_text(options.file, job_with("maps = true\n[output]\nformats = [\"vtp\"]\n"));
+    EXPECT_TRUE(make_job_spec(options));
+    write_text(options.file, job_with("level = \"any\"\n[output]\nformats = [\"vtp\"]\n"));
+    EXPECT_EQ(problem().find(options.file + ":10: format vtp shows"), 0u);
+    write_text(options.file, job_with("level = \"pairs\"\n[output]\nformats = [\"vtp\"]\n"));
+    options.query.level = "any";
+    EXPECT_EQ(problem().find("--level any and formats of " + options.file + ":10: format vtp"), 0u);
+    options.output.formats = {"npz", "glb"};
+    EXPECT_EQ(problem().find("--formats npz,glb and --level any: format glb shows"), 0u);
+}
+
 TEST(AskedLevel, AnUpToBelongsToTheDistance) {
     for (const char* level : {"any", "count", "pairs", "contacts"}) {
         EXPECT_THAT(problem_with("up_to = 1\nlevel = \"" + std::string(level) + "\"\n"),

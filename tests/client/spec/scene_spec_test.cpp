@@ -170,6 +170,14 @@ TEST(SceneSpec, ADistanceNeedsItsEnd) {
     EXPECT_EQ(problem_of(distance + "up_to = 2\n"), "none");
 }
 
+TEST(SceneSpec, HasNoContactMap) {
+    for (const char* level : {"count", "pairs"}) {
+        EXPECT_THAT(
+            problem_of(two + "[query]\nlevel = \"" + std::string(level) + "\"\nmaps = true\n"),
+            HasSubstr(":6: [query]: maps count the contacts of two bodies' triangles"));
+    }
+}
+
 TEST(SceneSpec, ABodyHasOneKindOfPose) {
     EXPECT_EQ(problem_of_body("pose = [0,0,0,0,0,0,1]"),
               "folder/job.toml:2: [bodies] car: pose does not say which number is qw; give "
@@ -340,11 +348,20 @@ TEST(SceneSpec, OptionsHoldForAllBodies) {
         EXPECT_TRUE(body.mesh.rounds_to_float);
     }
     options.query.level = "distance";
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("level distance needs up_to"));
+    EXPECT_THAT(make_job_spec(options).error().detail,
+                HasSubstr("--level distance and [bodies] of " + options.file +
+                          ":1: with [bodies], level distance needs up_to"));
     options.query.up_to = 2.0;
     EXPECT_TRUE(make_job_spec(options));
+    options.query = {};
+    options.query.level = "count";
+    options.query.maps = true;
+    EXPECT_THAT(make_job_spec(options).error().detail,
+                HasSubstr("--maps and [bodies] of " + options.file + ":1: maps count"));
+    options.query = {};
     options.cluster.depth_b = "3";
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--depth-a and --depth-b are"));
+    EXPECT_THAT(make_job_spec(options).error().detail,
+                HasSubstr("--depth-b 3 and [bodies] of " + options.file + ":1: distribution"));
 }
 
 } // namespace cd::tests
