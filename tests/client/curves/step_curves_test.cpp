@@ -129,7 +129,7 @@ TEST(StepCurves, KeysKeepEveryPointNearThePaths) {
         for (const std::uint32_t body : {0u, 1u}) {
             EXPECT_LE(largest_error(scene, *keys.value(), body, 1), off_max / 2);
         }
-        EXPECT_EQ(largest_error(scene, *keys.value(), 2, 1), 0);
+        EXPECT_LE(largest_error(scene, *keys.value(), 2, 1), 1e-12);
     }
     const auto keys = scene.made(1e-2);
     EXPECT_GT(largest_error(scene, *keys.value(), 0, 4), 5e-3);
@@ -138,8 +138,7 @@ TEST(StepCurves, KeysKeepEveryPointNearThePaths) {
 TEST(StepCurves, ABodyWithoutVelocitiesAsksForKeysWhereOthersHaveThem) {
     // Cutting a step of a large turn changes its pace, so it takes keys enough for that.
     CurvedScene scene;
-    scene.rates = {braking, {}, {}};
-    scene.rates[0].spin = Vec3::Zero();
+    scene.rates = {{Vec3(1, 0, 0), Vec3(-0.1, 0, 0), Vec3::Zero()}, {}, {}};
     scene.poses[1][0] = scene.curve(*scene.poses[0][0], 0).at(2);
     scene.poses[2][0] = scene.poses[1][0];
     const auto keys = scene.made(1e-2);

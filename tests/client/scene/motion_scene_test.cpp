@@ -159,7 +159,7 @@ TEST_F(MotionScene, FollowsVelocitiesByKeysBetweenTheSteps) {
     EXPECT_EQ(prepared(motion).query.clearance, std::nullopt);
     EXPECT_GT(prepared(motion).poses->steps()->steps(), steps->steps() / 3);
     EXPECT_THAT(prepared("").notes.at(0), HasSubstr("velocities count with [motion] alone"));
-    EXPECT_THAT(problem_of(motion + "chord = 1e-9\n"), HasSubstr("numbers of 64 bits"));
+    EXPECT_THAT(problem_of(motion + "chord = 1e-13\n"), HasSubstr("numbers of 64 bits"));
     const auto spec = read(motion + "chord = 0.01\n");
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_THAT(check_text(spec.value(), curved), HasSubstr("  2 steps became "));

@@ -104,6 +104,11 @@ TEST_F(SceneSteps, APartOfASplitMeshMayMove) {
     EXPECT_EQ(x_at(*opened.value().poses, 1), (std::vector<double>{2, 8, 0, 5, 5}));
 }
 
+TEST_F(SceneSteps, TheTimesOfABodysOwnFileRise) {
+    spec_.bodies[0].poses = file("truck.csv", "x,t\n1,0.5\n2,0.5\n");
+    EXPECT_THAT(problem(), HasSubstr("truck.csv: line 3: the time 0.5 is not after 0.5 of line 2"));
+}
+
 TEST_F(SceneSteps, TheVelocitiesOfFilesAreThoseOfTheirBodies) {
     spec_.bodies[0].poses = file("v.csv", "x,vx,vy,vz\n1,4,5,6\n2,7,8,9\n");
     spec_.poses->file = file("all.csv",
