@@ -4,6 +4,8 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
 
+#include <algorithm>
+
 namespace cd {
 
 void ClusterPace::time_is(double seconds) {
@@ -32,6 +34,11 @@ double ClusterPace::mean_cost_ns() const {
 
 double ClusterPace::positions_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
     return job.range_pace.per_thread(proxy.id(), 1e9 / mean_cost_ns()) * proxy.facts().threads;
+}
+
+std::uint64_t ClusterPace::position_ns(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const double each = 1e9 * power_of(proxy) / positions_per_second(proxy, job);
+    return static_cast<std::uint64_t>(std::clamp(each, 1.0, 1e12));
 }
 
 double ClusterPace::thread_seconds_of(const TaskInFlight& task,

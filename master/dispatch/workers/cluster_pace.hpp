@@ -39,6 +39,8 @@ class ClusterPace {
     /// Scenarios of the job's ranges that all threads of the worker finish per second.
     [[nodiscard]] double positions_per_second(const WorkerProxy& proxy,
                                               const DispatchJob& job) const;
+    /// Predicted time of one position of the job's ranges, for the worker.
+    [[nodiscard]] std::uint64_t position_ns(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Time in which one thread of the worker would finish the unanswered part of the job's task.
     [[nodiscard]] double thread_seconds_of(const TaskInFlight& task,
                                            const WorkerProxy& proxy,
