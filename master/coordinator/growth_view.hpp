@@ -17,7 +17,8 @@ struct MasterCosts {
 
 /// Sums up the work left of all running jobs. Jobs of which no scenario has been measured count as
 /// the others. Empty if none has been.
-[[nodiscard]] std::optional<WorkLeft> work_left(const JobTable& jobs, const MasterCosts& costs);
+[[nodiscard]] std::optional<WorkLeft>
+work_left(const JobTable& jobs, const DispatchView& dispatch, const MasterCosts& costs);
 
 /// Empty unless jobs run, workers take work, and some scenario has been measured.
 [[nodiscard]] std::optional<Growth>

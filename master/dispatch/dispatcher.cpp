@@ -14,10 +14,14 @@ Dispatcher::Dispatcher(const DispatcherOptions& options) : options_(options) {}
 
 Actions Dispatcher::settled(Actions actions) {
     settled_ = parts().pace.now();
-    parts().ranges.forget_totals();
-    parts().allocator.settle(actions);
-    parts().rebalancer.rebalance(actions);
-    parts().filler.give_ranges(actions);
+    std::size_t before = 0;
+    do {
+        before = actions.size();
+        parts().ranges.forget_totals();
+        parts().allocator.settle(actions);
+        parts().rebalancer.rebalance(actions);
+        parts().filler.give_ranges(actions);
+    } while (made_room(actions, before));
     if (options_.helps_at_end) {
         parts().endgame.help(options_.look_seconds(parts().pool.in_order().size()), actions);
     }
@@ -25,9 +29,15 @@ Actions Dispatcher::settled(Actions actions) {
 }
 
 Actions Dispatcher::refilled(WorkerProxy& proxy, Actions actions) {
+    const std::size_t before = actions.size();
     parts().ranges.forget_totals();
     parts().filler.fill(proxy, actions);
-    return actions;
+    return made_room(actions, before) ? settled(std::move(actions)) : actions;
+}
+
+bool Dispatcher::made_room(const Actions& actions, std::size_t before) {
+    const WorkQueue& queue = parts().queue;
+    return actions.size() != before && queue.jobs().size() > 1 && queue.something_waits();
 }
 
 void Dispatcher::count_threads() {
@@ -147,7 +157,7 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     Actions actions;
     parts().ranges.forget_totals();
     parts().allocator.take_up(*job, is_suspect, resumes, actions);
-    return actions;
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 Actions Dispatcher::input_paused() {
@@ -164,7 +174,7 @@ Actions Dispatcher::job_input_paused(JobId job_id) {
             parts().filler.fill(*proxy, actions);
         }
     }
-    return actions;
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_t after) {
@@ -173,7 +183,7 @@ Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_
     job->unsent.add(std::move(given), after);
     Actions actions;
     parts().filler.give_ranges(actions);
-    return actions;
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 std::vector<PositionRange> Dispatcher::take_positions(JobId job_id) {

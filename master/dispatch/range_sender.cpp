@@ -50,13 +50,16 @@ const RangeTotals& RangeSender::totals(const DispatchJob& job) const {
 }
 
 bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (job.unsent.is_empty() || !proxy.takes_work() || proxy.is_claimed() ||
-        &proxy == context_.reserved() ||
-        proxy.tasks.count_of(job.id) >= limits::batches_at_worker) {
-        return false;
-    }
     // The next range goes out before the worker has finished the current one.
-    return proxy.tasks.left_of(job.id) < positions_at_once(proxy, job) &&
+    return may_take(proxy, job) && proxy.tasks.count_of(job.id) < limits::batches_at_worker &&
+           proxy.tasks.left_of(job.id) < positions_at_once(proxy, job);
+}
+
+bool RangeSender::may_take(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const std::size_t tasks_max =
+        std::max<std::size_t>(limits::batches_at_worker, proxy.facts().threads);
+    return !job.unsent.is_empty() && proxy.takes_work() && !proxy.is_claimed() &&
+           &proxy != context_.reserved() && proxy.tasks.unanswered_of(job.id) < tasks_max &&
            !would_be_late(proxy, job);
 }
 

@@ -60,7 +60,7 @@ inline constexpr double look_seconds_each = 2e-6;
 
 // Shares of owners and jobs.
 /// An owner that does not use its share saves up so much time of all threads at most, s.
-inline constexpr double share_credit_seconds = 2;
+inline constexpr double share_credit_seconds = 10;
 /// A job's share of the threads is shown over about this time, s.
 inline constexpr double share_shown_seconds = 10;
 

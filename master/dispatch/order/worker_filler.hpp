@@ -9,10 +9,10 @@
 
 namespace cd {
 
-/// A job alone in the cluster keeps as many tasks at a worker as its policy allows. With tasks of
-/// other jobs there, a task is sent only once the worker would run dry, so that the task of a job
-/// that comes first soon begins. While the first job that has work for the worker waits for that,
-/// no other job sends any.
+/// A job alone in the cluster keeps as many tasks at a worker as its policy allows. With several
+/// jobs, the first job in the order that has work for the worker sends the next task, once the
+/// worker would run dry, and no other job sends any before. So a job that comes first begins soon,
+/// even if the worker is full of another's work.
 class WorkerFiller {
   public:
     WorkerFiller(const MatchingContext& context,
@@ -39,13 +39,18 @@ class WorkerFiller {
     [[nodiscard]] bool is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const;
 
   private:
-    /// True if the job may send the worker a task of any kind, apart from its turn.
-    [[nodiscard]] bool has_work_for(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// True if the worker has no task of another job, or would run dry.
-    [[nodiscard]] bool has_room_beside_others(const WorkerProxy& proxy,
-                                              const DispatchJob& job) const;
-    /// The job that may send the worker a task now. Null if there is none.
+    // ---- With several jobs ----
+    /// True if the job has a buffer for the worker that is full or gets no more for now.
+    [[nodiscard]] bool wants_to_flush(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// True if the worker may pull a task of the job, or the few scenarios that are left of it.
+    [[nodiscard]] bool wants_to_pull(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// True if the worker would run dry, or has tasks of this job alone and may have one more.
+    [[nodiscard]] bool may_send(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// The first job in the order that has work for the worker. Null if that must wait, or there is
+    /// none.
     [[nodiscard]] DispatchJob* next(const WorkerProxy& proxy) const;
+    void fill_in_turn(WorkerProxy& proxy, Actions& actions);
+
     [[nodiscard]] bool has_several_jobs() const { return queue_.jobs().size() > 1; }
     void flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
     void pull(WorkerProxy& proxy, DispatchJob& job, Actions& actions);

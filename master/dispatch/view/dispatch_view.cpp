@@ -55,6 +55,10 @@ MissingCosts DispatchView::missing_costs(JobId job) const {
     return parts_->blocks.costs_of(parts_->queue.at(job));
 }
 
+bool DispatchView::moves_work(JobId job) const {
+    return parts_->queue.at(job).policy->moves_work();
+}
+
 WorkersNow DispatchView::workers_now() const {
     return cd::workers_now(*parts_);
 }

@@ -41,6 +41,9 @@ class DispatchView {
     /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
     /// one, in seconds per scenario, and of filling every cache. The job must be open.
     [[nodiscard]] MissingCosts missing_costs(JobId job) const;
+    /// True if the job's analysed work moves to workers that would finish it earlier. The job must
+    /// be open.
+    [[nodiscard]] bool moves_work(JobId job) const;
     /// The present workers, for an estimate of how much more would help.
     [[nodiscard]] WorkersNow workers_now() const;
     /// The parts of a WorkerStatus that the dispatcher knows: claimed, draining, buffered, working,

@@ -13,6 +13,11 @@ namespace cd {
 
 namespace {
 
+/// Each doubling of the workers delays the blocks by this part of a fetch. Blocks spread from who
+/// has them to who has not, and many are under way at once. From simulated clusters
+/// (tests/bench/cluster/model/growth_test.cpp).
+constexpr double fetch_part_of_doubling = 0.3;
+
 /// Speed of the worker's threads together, in units that all workers share: at ranges if the first
 /// job sends these, else at analysed work.
 double power_of(const DispatchParts& parts, const WorkerProxy& proxy) {
@@ -73,13 +78,12 @@ double seconds_left(const WorkersNow& workers, const WorkLeft& work, std::uint32
     const double threads_max = std::max(1.0, work.scenarios);
     const double new_threads = more * workers.threads_more;
     const double alone = work.worker_seconds / std::min(workers.threads, threads_max);
-    const double fetch =
-        workers.fetch_seconds * std::max(1.0, std::log2(1 + more / workers.workers));
+    const double doublings = std::log2(1 + more / workers.workers);
+    const double fetch = workers.fetch_seconds * (1 + fetch_part_of_doubling * doublings);
     const double together = (work.worker_seconds + new_threads * fetch) /
                             std::min(workers.threads + new_threads, threads_max);
     const double of_workers = more == 0 || together < fetch ? alone : std::min(alone, together);
-    return std::max({of_workers, work.pool_seconds, work.master_seconds}) +
-           work.longest_seconds / 2;
+    return std::max({of_workers, work.pool_seconds, work.master_seconds}) + work.tail_seconds;
 }
 
 Growth estimate_growth(const WorkersNow& workers, const WorkLeft& work) {

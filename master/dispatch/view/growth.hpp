@@ -26,15 +26,14 @@ struct WorkersNow {
 struct WorkLeft {
     double scenarios = 0;      ///< Scenarios that workers have yet to answer.
     double worker_seconds = 0; ///< Their time on threads of workers.
-    double longest_seconds =
-        0;                     ///< Mean time of a scenario, of the job whose scenarios are longest.
+    double tail_seconds = 0;   ///< Time for which the last work keeps some of the threads busy.
     double pool_seconds = 0;   ///< Analysis on the master's pool, divided by its threads.
     double master_seconds = 0; ///< Time of the master's own thread.
 };
 
 /// Estimates the time left with so many more workers, s. The slowest counts: the workers, the
 /// master's analysis, or the master's thread. New workers compute nothing until they have their
-/// blocks, which they fetch from each other: twice as many holders serve twice as many.
+/// blocks, which they fetch from each other.
 [[nodiscard]] double
 seconds_left(const WorkersNow& workers, const WorkLeft& work, std::uint32_t more);
 

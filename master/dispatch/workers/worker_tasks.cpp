@@ -16,6 +16,12 @@ std::size_t WorkerTasks::count_of(JobId job) const {
         tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.job == job; }));
 }
 
+std::size_t WorkerTasks::unanswered_of(JobId job) const {
+    return static_cast<std::size_t>(std::count_if(tasks_.begin(), tasks_.end(), [&](auto& task) {
+        return task.second.job == job && task.second.left() != 0;
+    }));
+}
+
 std::uint64_t WorkerTasks::left_of(JobId job) const {
     std::uint64_t left = 0;
     for (const auto& [id, task] : tasks_) {

@@ -65,6 +65,8 @@ class WorkerTasks {
     [[nodiscard]] const TaskInFlight& at(TaskId task) const { return tasks_.at(task); }
     /// Number of the job's tasks.
     [[nodiscard]] std::size_t count_of(JobId job) const;
+    /// Number of the job's tasks that have unanswered positions.
+    [[nodiscard]] std::size_t unanswered_of(JobId job) const;
     /// Number of unanswered positions.
     [[nodiscard]] std::uint64_t left() const { return left_; }
     /// Number of the job's unanswered positions.
