@@ -36,7 +36,7 @@ void TaskTable::send_range(WorkerProxy& proxy,
     const std::uint64_t cost_ns = range.positions.count * each_ns;
     TaskInFlight task{job.id, range.positions, false, false, cost_ns, pace_.now()};
     task.window = range.window;
-    job.copies.add_work(cost_ns);
+    job.copies.add_work(pace_.mean_cost_of(range.positions.count));
     start(proxy, std::move(task), actions);
 }
 
@@ -52,7 +52,7 @@ void TaskTable::send_copy(const Assignment& original,
     TaskInFlight copy{job.id, positions, copied.is_analysed, false, cost_ns, pace_.now(), fetches};
     copy.shared.original = original;
     copy.window = copied.window;
-    job.copies.add_copy(cost_ns);
+    job.copies.add_copy(copied.is_analysed ? cost_ns : pace_.mean_cost_of(positions.count()));
     tasks.add_copy(original.task, {helper.id(), TaskId{last_ + 1}}, positions);
     start(helper, std::move(copy), actions);
 }
@@ -255,7 +255,7 @@ void TaskTable::requeue(DispatchJob& job,
     if (left.is_analysed) {
         return requeue_analysed(job, positions, lost_with, actions);
     }
-    job.copies.remove_work(cost_of(job, left, positions));
+    job.copies.remove_work(pace_.mean_cost_of(positions.count()));
     if (mutated(Mutation::LostRangeForgotten)) {
         return;
     }

@@ -32,6 +32,10 @@ double ClusterPace::mean_cost_ns() const {
     return mean_cost_ns_.value_or(static_cast<double>(limits::scenario_ns_unknown));
 }
 
+std::uint64_t ClusterPace::mean_cost_of(std::uint64_t positions) const {
+    return positions * std::max<std::uint64_t>(1, static_cast<std::uint64_t>(mean_cost_ns()));
+}
+
 double ClusterPace::positions_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
     return job.range_pace.per_thread(proxy.id(), 1e9 / mean_cost_ns()) * proxy.facts().threads;
 }
