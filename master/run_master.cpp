@@ -167,7 +167,8 @@ Status run_master(const MasterConfig& config) {
          config.state / "jobs",
          {.durability = config.no_sync ? Durability::Unsynced : Durability::Synced,
           .times = config.times,
-          .retention = config.retention}});
+          .retention = config.retention,
+          .knows_owners = secured}});
     if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
         return restored;
     }

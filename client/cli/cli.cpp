@@ -10,6 +10,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "proto/messages/client_messages.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -120,6 +121,13 @@ class Verbs {
         add_master_options(*submit, submit->master);
         add_threads(*submit, submit->threads, "Threads that make poses here");
         add_tree_cache(*submit, submit->tree_cache);
+        submit
+            .add("--priority",
+                 submit->priority,
+                 "N",
+                 "-10 to 10, higher first; above 0 needs the role admin")
+            ->check(CLI::Range(-priority_most, priority_most))
+            ->capture_default_str();
         add_quiet(*submit, submit->quiet);
         add_output(*submit, submit->output, {"text", "json", "name"});
 

@@ -98,6 +98,7 @@ struct SubmitCommand {
     MasterOptions master;
     unsigned threads = 0;
     std::string tree_cache = "off"; ///< A folder, or off.
+    std::int32_t priority = 0;
     bool quiet = false;
     std::string output = "text"; ///< text, json, name
 };

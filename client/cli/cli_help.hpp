@@ -97,7 +97,8 @@ inline constexpr const char* submit_help =
     R"(Hands a job to the master and prints its id.
 Examples:
   cdctl submit job.toml
-  job=$(cdctl submit job.toml -o name) && cdctl watch "$job")";
+  job=$(cdctl submit job.toml -o name) && cdctl watch "$job"
+  cdctl submit large.toml --priority -5       let all other jobs go first)";
 
 inline constexpr const char* job_help =
     R"(Checks job files.

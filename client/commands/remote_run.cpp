@@ -267,7 +267,7 @@ Result<int> perform(const SubmitCommand& command) {
     make_paths_absolute(job);
     print_header(job, command.quiet);
     InterruptGuard::begin_to_flag();
-    const JobId id = CD_TRY(send_job(*connection, job, command.quiet));
+    const JobId id = CD_TRY(send_job(*connection, job, command.quiet, command.priority));
     std::fputs(submitted_text(command, job, id).c_str(), stdout);
     return exit_done;
 }

@@ -116,7 +116,8 @@ std::string workers_text(Connection& connection) {
     return cluster ? counted(worker_count(cluster.value()), "worker") : "";
 }
 
-Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
+Result<JobId>
+send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t priority) {
     std::vector<NamedMesh> meshes;
     std::set<Sha256> known;
     for (std::size_t body = 0; body < job.meshes.size(); ++body) {
@@ -134,6 +135,7 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
             }
         }));
     Submit submit = submission_of(job);
+    submit.priority = priority;
     if (job.grid) {
         return connection.submit(submit);
     }

@@ -49,7 +49,8 @@ struct ConnectedJob {
 [[nodiscard]] std::string workers_text(Connection& connection);
 
 /// Uploads meshes that the master lacks, with a line on stderr unless quiet, and submits the job.
-[[nodiscard]] Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet);
+[[nodiscard]] Result<JobId>
+send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t priority = 0);
 
 /// Watches the job to its end, with progress on stderr. After a network error it reconnects, and
 /// gives up after a minute.

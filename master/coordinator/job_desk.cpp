@@ -1,6 +1,7 @@
 #include "master/coordinator/job_desk.hpp"
 
 #include "common/core/host/log.hpp"
+#include "master/coordinator/growth_view.hpp"
 
 #include <chrono>
 #include <utility>
@@ -99,6 +100,14 @@ Status JobDesk::cancel_scenario(JobId id, const PlacedScenario& placed) {
     return Done{};
 }
 
+Result<JobStatus> JobDesk::status(JobId job) const {
+    Result<JobStatus> status = view().job(job);
+    if (status) {
+        status.value().turn.share = state_.dispatch.view().share(job);
+    }
+    return status;
+}
+
 StatusView JobDesk::view() const {
     return {state_.jobs, state_.workers, state_.alarms, paused(), state_.loop.now()};
 }
@@ -107,6 +116,13 @@ ClusterStatus JobDesk::cluster() const {
     ClusterStatus status = view().cluster();
     status.uptime_seconds = std::chrono::duration<double>(state_.loop.now() - started_).count();
     status.meshes = geometry_.meshes();
+    status.growth = growth_of(state_.jobs,
+                              state_.dispatch.view(),
+                              {services_.merger.seconds_each(),
+                               static_cast<double>(state_.background.compute_pool().size())});
+    for (JobStatus& job : status.jobs) {
+        job.turn.share = state_.dispatch.view().share(job.job);
+    }
     return status;
 }
 

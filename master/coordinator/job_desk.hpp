@@ -59,7 +59,7 @@ class JobDesk {
     /// Null if there is no such job.
     [[nodiscard]] const MasterJob* find(JobId job) const { return state_.jobs.find(job); }
     /// Errors: NotFound.
-    [[nodiscard]] Result<JobStatus> status(JobId job) const { return view().job(job); }
+    [[nodiscard]] Result<JobStatus> status(JobId job) const;
     [[nodiscard]] ClusterStatus cluster() const;
     /// Explains scenarios as of now.
     [[nodiscard]] Explainer explainer() const;

@@ -16,7 +16,7 @@ MasterServices::MasterServices(const CoordinatorParts& parts, MasterState& state
             state.retries},
            {[this](JobId job) { (void)references.stop(job, std::nullopt); },
             [this] { work.feed(); }}),
-      merger(life, state.writer),
+      merger(life, state.writer, parts.options.cpu_seconds),
       tasks(state.jobs, state.workers, state.trees, state.dispatch),
       ranges({state.jobs, life, state.dispatch, state.writer, state.background}),
       analyses({state.jobs, life, merger, state.dispatch, state.background, parts.options.feed}),
@@ -58,7 +58,8 @@ MasterServices::MasterServices(const CoordinatorParts& parts, MasterState& state
              state.workers,
              state.trees,
              state.dispatch,
-             state.background},
+             state.background,
+             parts.options.knows_owners},
             [this](MasterJob& job) { started(job); }) {}
 
 void MasterServices::started(MasterJob& job) {

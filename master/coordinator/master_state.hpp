@@ -13,6 +13,7 @@
 #include "master/jobs/feed/analysis_feed.hpp"
 #include "master/jobs/job_table.hpp"
 #include "master/jobs/job_waits.hpp"
+#include "master/jobs/thread_meter.hpp"
 #include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/workers/awaited_workers.hpp"
@@ -32,6 +33,9 @@ struct CoordinatorOptions {
     ResultCheck check = take_results;
     FeedLimits feed = {};
     DispatcherOptions dispatch = {};
+    bool knows_owners = false; ///< As in `JobStart::Parts`.
+    /// Processor time of the coordinator's thread, s.
+    std::function<double()> cpu_seconds = thread_cpu_seconds;
 };
 
 /// Resources and options of the coordinator. Everything referenced outlives the coordinator.

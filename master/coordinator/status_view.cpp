@@ -43,9 +43,9 @@ ClusterStatus StatusView::cluster() const {
     }
     status.alarms = alarms_.record().last;
     status.alarm_count = alarms_.record().count;
-    status.workers_lost = workers_.counts().lost;
-    status.sessions_resumed = workers_.counts().resumed;
-    status.scenarios_given_back = workers_.counts().given_back;
+    status.losses.workers_lost = workers_.counts().lost;
+    status.losses.sessions_resumed = workers_.counts().resumed;
+    status.losses.scenarios_given_back = workers_.counts().given_back;
     return status;
 }
 

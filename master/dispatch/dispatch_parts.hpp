@@ -5,6 +5,7 @@
 #include "master/dispatch/blocks/block_needs.hpp"
 #include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/endgame/endgame.hpp"
+#include "master/dispatch/order/worker_filler.hpp"
 #include "master/dispatch/policy/rebalancer.hpp"
 #include "master/dispatch/range_sender.hpp"
 #include "master/dispatch/task_table.hpp"
@@ -23,8 +24,9 @@ struct DispatchParts {
     TaskTable tasks{pool, plan, queue, pace};
     BlockNeeds blocks{plan, pool, pace};
     RangeSender ranges{context, queue, tasks};
-    Allocator allocator{context, queue, tasks, blocks};
-    Rebalancer rebalancer{context, queue, blocks, allocator};
+    WorkerFiller filler{context, queue, tasks, blocks, ranges};
+    Allocator allocator{context, queue, tasks, blocks, filler};
+    Rebalancer rebalancer{context, queue, blocks, filler};
     Endgame endgame{context, tasks, blocks};
 };
 

@@ -14,9 +14,14 @@ Dispatcher::Dispatcher(const DispatcherOptions& options) : options_(options) {}
 
 Actions Dispatcher::settled(Actions actions) {
     settled_ = parts().pace.now();
-    parts().allocator.settle(actions);
-    parts().rebalancer.rebalance(actions);
-    parts().ranges.give(actions);
+    std::size_t before = 0;
+    do {
+        before = actions.size();
+        parts().ranges.forget_totals();
+        parts().allocator.settle(actions);
+        parts().rebalancer.rebalance(actions);
+        parts().filler.give_ranges(actions);
+    } while (made_room(actions, before));
     if (options_.helps_at_end) {
         parts().endgame.help(options_.look_seconds(parts().pool.in_order().size()), actions);
     }
@@ -24,9 +29,23 @@ Actions Dispatcher::settled(Actions actions) {
 }
 
 Actions Dispatcher::refilled(WorkerProxy& proxy, Actions actions) {
-    parts().allocator.refill(proxy, actions);
-    parts().ranges.give_to(proxy, actions);
-    return actions;
+    const std::size_t before = actions.size();
+    parts().ranges.forget_totals();
+    parts().filler.fill(proxy, actions);
+    return made_room(actions, before) ? settled(std::move(actions)) : actions;
+}
+
+bool Dispatcher::made_room(const Actions& actions, std::size_t before) {
+    const WorkQueue& queue = parts().queue;
+    return actions.size() != before && queue.jobs().size() > 1 && queue.something_waits();
+}
+
+void Dispatcher::count_threads() {
+    std::uint64_t threads = 0;
+    for (const WorkerProxy* proxy : parts().pool.in_order()) {
+        threads += proxy->facts().threads;
+    }
+    parts().queue.order().set_threads(threads);
 }
 
 WorkerProxy* Dispatcher::worker_with(WorkerId worker, TaskId task) {
@@ -44,6 +63,7 @@ Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
     CD_CHECK(facts.threads > 0);
     CD_CHECK(facts.weight > 0);
     parts().plan.join(parts().pool.add(worker, facts).slot());
+    count_threads();
     return settled({});
 }
 
@@ -60,6 +80,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     }
     parts().plan.leave(proxy->slot());
     parts().pool.remove(worker);
+    count_threads();
     return settled(std::move(actions));
 }
 
@@ -95,14 +116,26 @@ Actions Dispatcher::worker_heard(WorkerId worker) {
 
 // ---- Jobs ---------------------------------------------------------------------------------------
 
-Actions Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees) {
+Actions Dispatcher::job_opened(JobId job,
+                               const ClusterOptions& options,
+                               DispatchTrees trees,
+                               JobRank rank) {
     CD_CHECK(options.q > 0);
     for (const auto& tree : trees.distinct()) {
         parts().plan.add_tree(*tree);
     }
-    parts().queue.open(
-        job, options, std::move(trees), make_policy(options, parts().context, options_.strategies));
+    parts().queue.open(job,
+                       options,
+                       std::move(trees),
+                       make_policy(options, parts().context, options_.strategies),
+                       std::move(rank));
     return {};
+}
+
+void Dispatcher::analysis_took(JobId job, std::uint64_t positions, double seconds) {
+    constexpr std::uint64_t position_ns = 1000; // Unless measured.
+    parts().queue.analysis_order().answered(
+        job, positions * position_ns, seconds, parts().pace.now());
 }
 
 Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
@@ -119,10 +152,12 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     parts().pace.add_scenario(scenario.weight.cost_ns);
     const bool is_suspect = queue.add(*job, analysed.position, std::move(scenario));
     const bool resumes = queue.set_paused(false);
+    job->input.is_paused = false;
 
     Actions actions;
+    parts().ranges.forget_totals();
     parts().allocator.take_up(*job, is_suspect, resumes, actions);
-    return actions;
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 Actions Dispatcher::input_paused() {
@@ -130,13 +165,25 @@ Actions Dispatcher::input_paused() {
     return was_paused && !is_due() ? Actions{} : settled({});
 }
 
+Actions Dispatcher::job_input_paused(JobId job_id) {
+    DispatchJob& job = parts().queue.at(job_id);
+    Actions actions;
+    if (!std::exchange(job.input.is_paused, true) && job.input.unsent != 0) {
+        parts().ranges.forget_totals();
+        for (WorkerProxy* proxy : parts().pool.in_order()) {
+            parts().filler.fill(*proxy, actions);
+        }
+    }
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
+}
+
 Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_t after) {
     DispatchJob* job = parts().queue.find(job_id);
     CD_CHECK(job != nullptr);
     job->unsent.add(std::move(given), after);
     Actions actions;
-    parts().ranges.give(actions);
-    return actions;
+    parts().filler.give_ranges(actions);
+    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 std::vector<PositionRange> Dispatcher::take_positions(JobId job_id) {
@@ -147,12 +194,12 @@ std::vector<PositionRange> Dispatcher::take_positions(JobId job_id) {
 
 Actions Dispatcher::job_closed(JobId job_id) {
     WorkQueue& queue = parts().queue;
-    const DispatchJob* job = queue.find(job_id);
+    DispatchJob* job = queue.find(job_id);
     if (job == nullptr) {
         return {};
     }
     for (WorkerProxy* proxy : parts().pool.in_order()) {
-        queue.leave(proxy->buffers.take(job_id).scenarios.size());
+        queue.leave(*job, proxy->buffers.take(job_id).scenarios.size());
         proxy->tasks.forget_positions(job_id);
     }
     const DispatchTrees trees = job->trees;

@@ -8,11 +8,13 @@
 #include "master/dispatch/dispatch_actions.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
+#include "master/dispatch/order/job_order.hpp"
 #include "master/dispatch/view/dispatch_view.hpp"
 #include "master/dispatch/workers/worker_proxy.hpp"
 #include "proto/messages/cluster_options.hpp"
 #include "proto/messages/work_messages.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -44,11 +46,17 @@ class Dispatcher : public DispatchView {
     Actions worker_silent(WorkerId worker);
     Actions worker_heard(WorkerId worker);
 
-    Actions job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees);
+    Actions
+    job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees, JobRank rank = {});
+    /// The master's pool has analysed so many positions of the job in `seconds` of a thread; 0 if
+    /// that was not measured.
+    void analysis_took(JobId job, std::uint64_t positions, double seconds);
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
     /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.
     Actions input_paused();
+    /// Like `input_paused`, for one job that is open.
+    Actions job_input_paused(JobId job);
     /// The given positions may go out without analysis, to the first workers that run dry. `after`:
     /// number of the job's scenarios that follow the given ones.
     Actions positions_given(JobId job, GivenRange given, std::uint64_t after);
@@ -87,8 +95,14 @@ class Dispatcher : public DispatchView {
     /// Appends the actions that give the worker more work. Suffices instead of `settled` if only
     /// this worker's load has decreased.
     Actions refilled(WorkerProxy& proxy, Actions actions);
+    /// True if there are several jobs, scenarios wait, and there are more than `before` actions:
+    /// one job's turn may have emptied a buffer of another, which has room for waiting scenarios
+    /// now.
+    [[nodiscard]] bool made_room(const Actions& actions, std::size_t before);
     /// Null if the worker does not exist, or has no such task.
     [[nodiscard]] WorkerProxy* worker_with(WorkerId worker, TaskId task);
+    /// Tells the order of jobs how many threads there are.
+    void count_threads();
     /// True if enough time has passed to check all workers again.
     [[nodiscard]] bool is_due() const;
 

@@ -2,34 +2,10 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
-#include "master/dispatch/round_robin.hpp"
 
 #include <algorithm>
 
 namespace cd {
-
-void RangeSender::give(Actions& actions) {
-    if (std::ranges::all_of(queue_.jobs(),
-                            [](const auto& job) { return job.second.unsent.is_empty(); })) {
-        return;
-    }
-    forget_totals();
-    for (WorkerProxy* proxy : context_.pool.in_order()) {
-        send_to(*proxy, actions);
-    }
-}
-
-void RangeSender::give_to(WorkerProxy& proxy, Actions& actions) {
-    forget_totals();
-    send_to(proxy, actions);
-}
-
-void RangeSender::send_to(WorkerProxy& proxy, Actions& actions) {
-    const auto takes = [&](const auto& job) { return would_take(proxy, job.second); };
-    while (auto* job = next_in_turn(queue_.jobs(), proxy.tasks.last_job(), takes)) {
-        send(proxy, job->second, actions);
-    }
-}
 
 std::uint64_t RangeSender::enough(const DispatchJob& job) const {
     forget_totals();
@@ -74,13 +50,17 @@ const RangeTotals& RangeSender::totals(const DispatchJob& job) const {
 }
 
 bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (job.unsent.is_empty() || !proxy.takes_work() || proxy.is_claimed() ||
-        &proxy == context_.reserved() ||
-        proxy.tasks.count_of(job.id) >= limits::batches_at_worker) {
-        return false;
-    }
     // The next range goes out before the worker has finished the current one.
-    return proxy.tasks.left() < positions_at_once(proxy, job) && !would_be_late(proxy, job);
+    return may_take(proxy, job) && proxy.tasks.count_of(job.id) < limits::batches_at_worker &&
+           proxy.tasks.left_of(job.id) < positions_at_once(proxy, job);
+}
+
+bool RangeSender::may_take(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const std::size_t tasks_max =
+        std::max<std::size_t>(limits::batches_at_worker, proxy.facts().threads);
+    return !job.unsent.is_empty() && proxy.takes_work() && !proxy.is_claimed() &&
+           &proxy != context_.reserved() && proxy.tasks.unanswered_of(job.id) < tasks_max &&
+           !would_be_late(proxy, job);
 }
 
 bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {
@@ -114,9 +94,7 @@ std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
 
 void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
     const GivenRange sent = job.unsent.take_first(positions_at_once(proxy, job));
-    queue_.note_served(job.id);
-    const auto each_ns = static_cast<std::uint64_t>(context_.pace.mean_cost_ns());
-    tasks_.send_range(proxy, job, sent, each_ns, actions);
+    tasks_.send_range(proxy, job, sent, context_.pace.position_ns(proxy, job), actions);
 }
 
 } // namespace cd

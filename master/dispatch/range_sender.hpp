@@ -1,6 +1,5 @@
-// Sends ranges: consecutive positions of a job, without analysis or matching. The first worker to
-// run dry gets the next range. At the worker's measured rate, a range lasts as long as a batch, and
-// less towards the end of a job.
+// Makes ranges: consecutive positions of a job, without analysis or matching. At the worker's
+// measured rate, a range lasts as long as a batch, and less towards the end of a job.
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"
@@ -15,14 +14,14 @@ class RangeSender {
     RangeSender(const MatchingContext& context, WorkQueue& queue, TaskTable& tasks)
         : context_(context), queue_(queue), tasks_(tasks) {}
 
-    /// Sends ranges to all workers that would run dry.
-    void give(Actions& actions);
-    /// Like `give`, for one worker. Suffices if only this worker's load has decreased.
-    void give_to(WorkerProxy& proxy, Actions& actions);
+    /// Sends the worker, which would take it, its next range of the job.
+    void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
     /// Number of unsent positions of the job that suffices for all workers.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const;
-    /// True if the worker would get a range of the job now.
+    /// True if the worker would get a range of the job at the job's turn: it would run dry.
     [[nodiscard]] bool would_take(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// True if the worker could get a range of the job, however much it has to do.
+    [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Drops the cached totals of all jobs. Call at the start of an event and after each change
     /// except the sending of work.
     void forget_totals() const;
@@ -30,8 +29,6 @@ class RangeSender {
   private:
     /// The job's totals as of the last `forget_totals`; work sent since then does not change them.
     [[nodiscard]] const RangeTotals& totals(const DispatchJob& job) const;
-    void send_to(WorkerProxy& proxy, Actions& actions);
-    void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
     /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Number of positions in the worker's next range of the job.

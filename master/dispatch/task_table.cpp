@@ -23,7 +23,7 @@ void TaskTable::send(WorkerProxy& proxy,
         scenario.where = Whereabouts::Sent;
         scenario.at = {proxy.id(), TaskId{last_ + 1}};
     }
-    queue_.leave(positions.size());
+    queue_.leave(job, positions.size());
     task.positions = PositionSet::of(std::move(positions));
     start(proxy, std::move(task), actions);
 }
@@ -36,7 +36,7 @@ void TaskTable::send_range(WorkerProxy& proxy,
     const std::uint64_t cost_ns = range.positions.count * each_ns;
     TaskInFlight task{job.id, range.positions, false, false, cost_ns, pace_.now()};
     task.window = range.window;
-    job.copies.add_work(cost_ns);
+    job.copies.add_work(pace_.mean_cost_of(range.positions.count));
     start(proxy, std::move(task), actions);
 }
 
@@ -52,12 +52,13 @@ void TaskTable::send_copy(const Assignment& original,
     TaskInFlight copy{job.id, positions, copied.is_analysed, false, cost_ns, pace_.now(), fetches};
     copy.shared.original = original;
     copy.window = copied.window;
-    job.copies.add_copy(cost_ns);
+    job.copies.add_copy(copied.is_analysed ? cost_ns : pace_.mean_cost_of(positions.count()));
     tasks.add_copy(original.task, {helper.id(), TaskId{last_ + 1}}, positions);
     start(helper, std::move(copy), actions);
 }
 
 void TaskTable::start(WorkerProxy& proxy, TaskInFlight task, Actions& actions) {
+    queue_.order().sent(task.job, task.cost_ns);
     const TaskId id{++last_};
     actions.push_back(SendUnit{proxy.id(),
                                id,
@@ -123,7 +124,7 @@ PositionSet TaskTable::answer_in(DispatchJob& job,
     WorkerProxy& proxy = pool_.at(at.worker);
     const bool is_own = at.worker == by;
     if (!mutated(is_own ? Mutation::AnswerLeftAtWorker : Mutation::CopyLeftAtWorker)) {
-        proxy.tasks.remove(at.task, found, cost_of(job, *task, found));
+        take_from(proxy, at.task, job, found);
     }
     relieved.workers.insert(at.worker);
     if (!is_own) {
@@ -189,13 +190,24 @@ void TaskTable::learn(DispatchJob& job, const Answers& answers, std::uint64_t co
         job.range_pace.add(answers.worker, count, answers.busy_seconds);
         job.missing.ranges_answered(count);
     }
+    queue_.order().answered(job.id, cost_ns, answers.busy_seconds, pace_.now());
     proxy.tasks.note_busy(answers.task, answers.busy_seconds);
+}
+
+void TaskTable::take_from(WorkerProxy& proxy,
+                          TaskId task,
+                          const DispatchJob& job,
+                          const PositionSet& positions) {
+    const std::uint64_t cost_ns = cost_of(job, proxy.tasks.at(task), positions);
+    proxy.tasks.remove(task, positions, cost_ns);
+    queue_.order().left(job.id, cost_ns);
 }
 
 // ---- Ends ---------------------------------------------------------------------------------------
 
 TaskInFlight TaskTable::end(WorkerProxy& proxy, TaskId task, LostWith lost_with, Actions& actions) {
     TaskInFlight ended = proxy.tasks.end(task);
+    queue_.order().left(ended.job, ended.cost_ns);
     std::erase_if(recalls_, [&](const auto& asked) { return asked.second.task == task; });
     if (DispatchJob* job = queue_.find(ended.job)) {
         requeue(*job, ended, unshared(*job, ended, ended.positions), lost_with, actions);
@@ -243,7 +255,7 @@ void TaskTable::requeue(DispatchJob& job,
     if (left.is_analysed) {
         return requeue_analysed(job, positions, lost_with, actions);
     }
-    job.copies.remove_work(cost_of(job, left, positions));
+    job.copies.remove_work(pace_.mean_cost_of(positions.count()));
     if (mutated(Mutation::LostRangeForgotten)) {
         return;
     }
@@ -326,7 +338,7 @@ void TaskTable::take_recalled(WorkerProxy& proxy,
     DispatchJob* job = queue_.find(task.job);
     if (!back.is_empty() && job != nullptr) {
         if (!mutated(Mutation::RecalledLeftAtWorker)) {
-            proxy.tasks.remove(id, back, cost_of(*job, task, back));
+            take_from(proxy, id, *job, back);
         }
         const PositionSet alone = unshared(*job, task, back);
         for (const std::uint64_t position :

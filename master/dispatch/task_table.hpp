@@ -95,6 +95,11 @@ class TaskTable {
                           WorkerId by,
                           const PositionSet& positions,
                           Relieved& relieved);
+    /// Removes positions from a task that has them.
+    void take_from(WorkerProxy& proxy,
+                   TaskId task,
+                   const DispatchJob& job,
+                   const PositionSet& positions);
     /// Removes answered positions that are unsent, or in a task that the worker did not name. Does
     /// not cancel them at other workers: a second answer exposes a wrong worker.
     void answer_elsewhere(DispatchJob& job,

@@ -12,16 +12,33 @@ namespace cd {
 void WorkQueue::open(JobId job,
                      const ClusterOptions& options,
                      DispatchTrees trees,
-                     std::unique_ptr<MatchingPolicy> policy) {
+                     std::unique_ptr<MatchingPolicy> policy,
+                     JobRank rank) {
     const bool is_new =
         jobs_.try_emplace(job, job, options, std::move(trees), std::move(policy)).second;
     CD_CHECK(is_new);
+    analysis_order_.open(job, rank);
+    order_.open(job, std::move(rank));
 }
 
 void WorkQueue::close(JobId job) {
     unsent_ -= jobs_.at(job).waiting.size();
     unsent_ -= std::erase_if(suspects_, [&](const Suspect& suspect) { return suspect.job == job; });
     jobs_.erase(job);
+    order_.close(job);
+    analysis_order_.close(job);
+}
+
+std::vector<DispatchJob*> WorkQueue::in_order() {
+    std::vector<DispatchJob*> jobs;
+    jobs.reserve(jobs_.size());
+    for (auto& [id, job] : jobs_) {
+        jobs.push_back(&job);
+    }
+    std::ranges::sort(jobs, [this](const DispatchJob* one, const DispatchJob* other) {
+        return order_.comes_before(one->id, other->id);
+    });
+    return jobs;
 }
 
 DispatchJob* WorkQueue::find(JobId job) {
@@ -44,7 +61,7 @@ bool WorkQueue::add(DispatchJob& job, std::uint64_t position, DispatchScenario s
     if (suspect(job, position, added->second)) {
         return true;
     }
-    ++unsent_;
+    add_unsent(job, 1);
     job.waiting.push_back(position);
     return false;
 }
@@ -57,19 +74,17 @@ void WorkQueue::put_back(DispatchJob& job, std::span<const std::uint64_t> positi
 }
 
 void WorkQueue::put_back_sent(DispatchJob& job, std::span<const std::uint64_t> positions) {
-    unsent_ += positions.size();
+    add_unsent(job, positions.size());
     put_back(job, positions);
 }
 
-bool WorkQueue::suspect(const DispatchJob& job,
-                        std::uint64_t position,
-                        DispatchScenario& scenario) {
+bool WorkQueue::suspect(DispatchJob& job, std::uint64_t position, DispatchScenario& scenario) {
     if (!scenario.is_suspect()) {
         return false;
     }
     scenario.where = Whereabouts::Suspect;
     suspects_.push_back({job.id, position});
-    ++unsent_;
+    add_unsent(job, 1);
     return true;
 }
 
@@ -81,7 +96,7 @@ void WorkQueue::remove(DispatchJob& job, std::uint64_t position, const DispatchS
             return suspect.job == job.id && suspect.position == position;
         });
     }
-    unsent_ -= mutated(Mutation::RoomNotGivenBack) ? 0 : 1;
+    leave(job, mutated(Mutation::RoomNotGivenBack) ? 0 : 1);
 }
 
 Suspect WorkQueue::take_suspect() {

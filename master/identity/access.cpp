@@ -87,12 +87,25 @@ Status Access::check(Role role) const {
 }
 
 Status Access::check_owner(const std::string& of_job) const {
-    const bool is_admin = holder_ && holder_->role == CertifiedRole::Admin;
-    if (identity_ == nullptr || is_admin || owner() == of_job) {
+    if (is_admin() || owner() == of_job) {
         return Done{};
     }
     return Error{ErrorCode::Refused,
                  "the job belongs to '" + of_job + "'; its owner or an admin may do that"};
+}
+
+Status Access::check_priority(std::int32_t priority) const {
+    if (priority <= 0 || is_admin()) {
+        return Done{};
+    }
+    return Error{ErrorCode::Refused,
+                 "priority " + std::to_string(priority) + " needs the role admin, and '" + owner() +
+                     "' is a submitter: submit with --priority 0 or below, or with an admin's "
+                     "credential"};
+}
+
+bool Access::is_admin() const {
+    return identity_ == nullptr || (holder_ && holder_->role == CertifiedRole::Admin);
 }
 
 Status Access::check(const Message& message) const {

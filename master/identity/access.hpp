@@ -5,6 +5,7 @@
 #include "proto/codec/message.hpp"
 #include "proto/identity/certificate.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,6 +35,10 @@ class Access {
     /// admin, and everybody without TLS may. Errors: Refused naming the owner.
     [[nodiscard]] Status check_owner(const std::string& of_job) const;
 
+    /// Checks that this connection may submit a job of this priority. Above 0 an admin may, and
+    /// everybody without TLS. Errors: Refused.
+    [[nodiscard]] Status check_priority(std::int32_t priority) const;
+
     /// Checks that the certificate has not expired and that its holder is not on the list of
     /// refused names. Passes without TLS or without a certificate. Errors: Refused with the reason.
     [[nodiscard]] Status check_holder() const;
@@ -43,6 +48,9 @@ class Access {
     [[nodiscard]] Status check(const Message& message) const;
 
   private:
+    /// True for an admin, and for everybody without TLS.
+    [[nodiscard]] bool is_admin() const;
+
     MasterIdentity* identity_ = nullptr;
     std::optional<Identity> holder_;
     std::string user_;

@@ -101,7 +101,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.copies_won = tally.help.copies_won;
     status.traffic = tally.traffic;
     status.depths = tally.depths;
-    status.owner = submit.owner;
+    status.turn = {submit.owner, submit.priority, 0};
     status.began = times.began;
     return status;
 }

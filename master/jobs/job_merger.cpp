@@ -46,6 +46,7 @@ void JobMerger::merge(MasterJob& job,
             disputes.push_back(std::move(*dispute));
         }
     }
+    meter_.count(add.results.size());
     if (!add.results.empty() || !add.remarks.empty()) {
         ++job.changes;
         add.progress = job.progress(life_.now());

@@ -75,8 +75,9 @@ void JobStart::open(MasterJob& job, const JobGeometry& made) {
             worker.send(worker.supply.add_kept(in_use));
         }
     }
-    parts_.dispatch.act(
-        parts_.dispatch->job_opened(job.id, submit.cluster, dispatch_trees(work.trees, made.cuts)));
+    const std::string owner = parts_.knows_owners ? submit.owner : std::string();
+    parts_.dispatch.act(parts_.dispatch->job_opened(
+        job.id, submit.cluster, dispatch_trees(work.trees, made.cuts), {submit.priority, owner}));
     started_(job);
     parts_.life.end_if_complete(job); // The job may have no scenarios, or none left.
 }

@@ -24,6 +24,9 @@ class JobStart {
         TreeRegistry& trees;
         DispatchDriver& dispatch;
         Background& background;
+        /// True if a job's owner is the holder of a certificate. Otherwise clients name themselves
+        /// as they like, and all jobs count as one owner's.
+        bool knows_owners = false;
     };
 
     /// All parts outlive this object. `started` is called when a job is open for work.

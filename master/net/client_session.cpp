@@ -109,7 +109,7 @@ void ClientSession::answer(const Result<Answer>& found) {
 
 Status ClientSession::check_owner(JobId job) {
     const Result<JobStatus> status = coordinator_.jobs().status(job);
-    return status ? access_.check_owner(status.value().owner) : Status(status.error());
+    return status ? access_.check_owner(status.value().turn.owner) : Status(status.error());
 }
 
 template <class Other>
@@ -223,7 +223,10 @@ asio::awaitable<void> ClientSession::on(Submit message) {
     refused_ = false;
     message.owner = access_.owner();
     const bool poses_follow = !message.grid;
-    Status begun = queue_bytes(bulk_bytes(message));
+    Status begun = access_.check_priority(message.priority);
+    if (begun) {
+        begun = queue_bytes(bulk_bytes(message));
+    }
     if (begun) {
         begun = co_await begin_poses(std::move(message));
     }

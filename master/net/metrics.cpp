@@ -66,15 +66,15 @@ void add_master(Page& page, const ClusterStatus& status) {
     page.one(counter,
              "workers_lost_total",
              "Workers lost; other workers got their scenarios.",
-             status.workers_lost);
+             status.losses.workers_lost);
     page.one(counter,
              "sessions_resumed_total",
              "Sessions of workers that went on over a new connection.",
-             status.sessions_resumed);
+             status.losses.sessions_resumed);
     page.one(counter,
              "scenarios_given_back_total",
              "Unanswered scenarios of lost workers, queued again.",
-             status.scenarios_given_back);
+             status.losses.scenarios_given_back);
     page.one(gauge, "meshes", "Meshes stored by the master.", status.meshes.size());
 }
 

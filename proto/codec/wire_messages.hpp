@@ -384,13 +384,18 @@ void serialize(Archive& archive, LongScenario& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, JobTurn& t) {
+    archive(t.owner, t.priority, t.share);
+}
+
+template <class Archive>
 void serialize(Archive& archive, JobStatus& m) {
     archive(m.job, m.name);
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
     archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
     archive(m.long_scenarios, m.withdrawn, m.recalled, m.copies, m.copies_won);
-    archive(m.traffic, m.depths, m.owner, m.began);
+    archive(m.traffic, m.depths, m.turn, m.began);
 }
 
 template <class Archive>
@@ -419,10 +424,24 @@ void serialize(Archive& archive, StateSizes& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, GrowthPoint& p) {
+    archive(p.workers, p.seconds);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Growth& g) {
+    archive(g.seconds, g.more, g.worth);
+}
+
+template <class Archive>
+void serialize(Archive& archive, LossCounts& c) {
+    archive(c.workers_lost, c.sessions_resumed, c.scenarios_given_back);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ClusterStatus& m) {
     archive(m.build, m.uptime_seconds, m.cpu_seconds, m.workers, m.jobs, m.meshes);
-    archive(m.alarms, m.alarm_count, m.workers_lost, m.sessions_resumed, m.scenarios_given_back);
-    archive(m.sizes);
+    archive(m.alarms, m.alarm_count, m.losses, m.sizes, m.growth);
 }
 
 template <class Archive>

@@ -124,13 +124,16 @@ struct IgnoreLine {
     friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
 };
 
+/// Bound of priorities, up and down.
+inline constexpr std::int32_t priority_most = 10;
+
 /// A new job. With a grid the Submit is complete and answered by Accepted; otherwise poses follow
 /// in PosesPart, and the master answers PosesEnd with Accepted.
 struct Submit {
     std::string name;
     std::string unit;            ///< Unit of poses and results.
     std::string owner;           ///< Set by the master.
-    std::int32_t priority = 0;   ///< Must be 0 in this version.
+    std::int32_t priority = 0;   ///< Of `-priority_most` to `priority_most`; above 0 for admins.
     std::vector<JobBody> bodies; ///< At least two bodies; their meshes must be stored.
     Query query;
     ClusterOptions cluster;
@@ -224,6 +227,15 @@ struct LongScenario {
     double seconds = 0; ///< Time since the scenario's start.
 };
 
+/// Whose the job is, and when it has its turn.
+struct JobTurn {
+    std::string owner;
+    std::int32_t priority = 0;
+    double share = 0; ///< The job's part of the workers' thread time of the last seconds, 0 to 1.
+
+    friend bool operator==(const JobTurn&, const JobTurn&) = default;
+};
+
 struct JobStatus {
     JobId job;
     std::string name;
@@ -246,7 +258,7 @@ struct JobStatus {
     JobTraffic traffic;
     /// The distribution depth of each body's tree; empty until the geometry is prepared.
     std::vector<std::uint32_t> depths;
-    std::string owner;
+    JobTurn turn;
     std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
 };
 
@@ -313,6 +325,34 @@ struct StateSizes {
     friend bool operator==(const StateSizes&, const StateSizes&) = default;
 };
 
+/// Estimated time left of all running jobs, if so many more workers come.
+struct GrowthPoint {
+    std::uint32_t workers = 0;
+    double seconds = 0;
+
+    friend bool operator==(const GrowthPoint&, const GrowthPoint&) = default;
+};
+
+/// How much more workers of the median speed would help.
+struct Growth {
+    double seconds = 0;            ///< Estimated time left of all running jobs now.
+    std::vector<GrowthPoint> more; ///< With 1, 2, 4 ... 1,024 more workers, ascending.
+    /// The most additional workers, up to 1,024, that add 80 % of their share of speed. 0: not even
+    /// one does.
+    GrowthPoint worth;
+
+    friend bool operator==(const Growth&, const Growth&) = default;
+};
+
+/// What the master has lost since it started.
+struct LossCounts {
+    std::uint64_t workers_lost = 0;
+    std::uint64_t sessions_resumed = 0;
+    std::uint64_t scenarios_given_back = 0; ///< Scenarios of lost workers.
+
+    friend bool operator==(const LossCounts&, const LossCounts&) = default;
+};
+
 struct ClusterStatus {
     std::string build;
     double uptime_seconds = 0;
@@ -320,12 +360,11 @@ struct ClusterStatus {
     std::vector<WorkerStatus> workers;
     std::vector<JobStatus> jobs;
     std::vector<MeshStatus> meshes;
-    std::vector<std::string> alarms;        ///< The most recent alarms for the operator.
-    std::uint64_t alarm_count = 0;          ///< All alarms, over all incarnations of the master.
-    std::uint64_t workers_lost = 0;         ///< Workers lost since the master started.
-    std::uint64_t sessions_resumed = 0;     ///< Sessions resumed since the master started.
-    std::uint64_t scenarios_given_back = 0; ///< Scenarios of lost workers since the master started.
+    std::vector<std::string> alarms; ///< The most recent alarms for the operator.
+    std::uint64_t alarm_count = 0;   ///< All alarms, over all incarnations of the master.
+    LossCounts losses;
     StateSizes sizes;
+    std::optional<Growth> growth = {}; ///< Empty while nothing is known, or no job runs.
 };
 
 /// Asks for the records of scenarios [first, first + count), or of these places of a sample.

@@ -72,13 +72,13 @@ class BrokenNetwork : public MortalCluster {
         ASSERT_TRUE(cluster);
         EXPECT_EQ(cluster.value().alarm_count, 0u);
         std::printf("resumed %llu, lost %llu, scenarios given back %llu of %zu\n",
-                    static_cast<unsigned long long>(cluster.value().sessions_resumed),
-                    static_cast<unsigned long long>(cluster.value().workers_lost),
-                    static_cast<unsigned long long>(cluster.value().scenarios_given_back),
+                    static_cast<unsigned long long>(cluster.value().losses.sessions_resumed),
+                    static_cast<unsigned long long>(cluster.value().losses.workers_lost),
+                    static_cast<unsigned long long>(cluster.value().losses.scenarios_given_back),
                     job_.scenarios.size());
         if (nothing_again) {
-            EXPECT_EQ(cluster.value().workers_lost, 0u);
-            EXPECT_EQ(cluster.value().scenarios_given_back, 0u);
+            EXPECT_EQ(cluster.value().losses.workers_lost, 0u);
+            EXPECT_EQ(cluster.value().losses.scenarios_given_back, 0u);
         }
         if (HasFailure()) {
             std::printf("%s\n", master_.log().c_str());
@@ -86,7 +86,7 @@ class BrokenNetwork : public MortalCluster {
     }
     [[nodiscard]] std::uint64_t resumed() {
         const auto status = connection_->status();
-        return status ? status.value().sessions_resumed : 0;
+        return status ? status.value().losses.sessions_resumed : 0;
     }
 
     FaultyProxy proxy_{master_.port()};

@@ -125,12 +125,14 @@ worker_command(const std::string& address,
 inline JobId submit_job(Connection& connection,
                         const Job& job,
                         const Query& query,
-                        const ClusterOptions& options) {
+                        const ClusterOptions& options,
+                        std::int32_t priority = 0) {
     const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
     const Status uploaded = connection.upload(meshes, [](auto&&...) {});
     EXPECT_TRUE(uploaded) << uploaded.error().detail;
     Submit message;
     message.name = "test";
+    message.priority = priority;
     message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     message.query = query;
     message.cluster = options;

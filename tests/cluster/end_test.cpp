@@ -67,7 +67,7 @@ class EndOfJob : public MortalCluster, public testing::WithParamInterface<Way> {
         const auto cluster = connection_->status();
         EXPECT_TRUE(cluster);
         EXPECT_EQ(cluster.value().alarm_count, 0u);
-        EXPECT_EQ(cluster.value().workers_lost, 0u);
+        EXPECT_EQ(cluster.value().losses.workers_lost, 0u);
         std::uint64_t answered = 0;
         for (const WorkerStatus& worker : cluster.value().workers) {
             answered += worker.scenarios;

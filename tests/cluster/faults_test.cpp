@@ -95,7 +95,7 @@ TEST_F(BrokenNetwork, DamagedBytesAreNoticedAndChangeNothing) {
         proxy_.damage(round % 2 == 0);
         EXPECT_TRUE(comes_true([&] { return proxy_.damaged() > before; }));
         status_when([&](const ClusterStatus& status) {
-            return status.sessions_resumed > static_cast<std::uint64_t>(round);
+            return status.losses.sessions_resumed > static_cast<std::uint64_t>(round);
         });
     }
     expect_right();
@@ -177,7 +177,7 @@ TEST_F(LostWorkers, AWorkerThatIsLostGivesItsWorkBackAndMayReturn) {
     expect_right(false);
     const auto status = connection_->status();
     ASSERT_TRUE(status);
-    EXPECT_GE(status.value().workers_lost, 1u);
+    EXPECT_GE(status.value().losses.workers_lost, 1u);
 }
 
 TEST_F(LostWorkers, HaltedForTooLongAWorkerIsLostAndItsLateResultsDoNoHarm) {

@@ -27,7 +27,7 @@ TEST_F(FullLoad, AnOverloadedWorkerIsNotDeclaredLost) {
         return status && !status.value().workers.empty() && status.value().workers[0].longest &&
                status.value().workers[0].longest->seconds > 6;
     })) << master_.log();
-    EXPECT_EQ(status.value().workers_lost, 0u) << master_.log();
+    EXPECT_EQ(status.value().losses.workers_lost, 0u) << master_.log();
     ASSERT_TRUE(connection->cancel(id));
     EXPECT_EQ(finish(*connection, id).state, JobState::Cancelled);
 }

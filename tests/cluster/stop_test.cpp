@@ -51,8 +51,8 @@ TEST_F(StopSignal, ABusyWorkerHandsBackWhatItHasNotBegunAndEnds) {
     EXPECT_EQ(status.summary.failed, 0u);
     const auto cluster = connection_->status();
     ASSERT_TRUE(cluster);
-    EXPECT_EQ(cluster.value().workers_lost, 0u);
-    EXPECT_EQ(cluster.value().scenarios_given_back, 0u);
+    EXPECT_EQ(cluster.value().losses.workers_lost, 0u);
+    EXPECT_EQ(cluster.value().losses.scenarios_given_back, 0u);
     // The first worker's finished scenarios do not run again, and the rest runs once.
     ASSERT_EQ(cluster.value().workers.size(), 1u);
     EXPECT_EQ(cluster.value().workers[0].scenarios +
@@ -110,8 +110,8 @@ TEST_F(StopSignalInALongScenario, WhatRunsLongerThanTheDrainTimeoutIsHandedBackT
     expect_that_another_goes_on();
     const auto cluster = connection_->status();
     ASSERT_TRUE(cluster);
-    EXPECT_EQ(cluster.value().workers_lost, 0u);
-    EXPECT_EQ(cluster.value().scenarios_given_back, 0u);
+    EXPECT_EQ(cluster.value().losses.workers_lost, 0u);
+    EXPECT_EQ(cluster.value().losses.scenarios_given_back, 0u);
 }
 
 TEST_F(StopSignalInALongScenario, ASecondSignalEndsItNow) {

@@ -58,7 +58,7 @@ TEST_F(SecuredNetwork, ADamagedRecordIsRefusedAndTheWorkerComesBack) {
         progress(150);
         proxy_.damage(round % 2 == 0);
         EXPECT_TRUE(comes_true([&] { return proxy_.damaged() > round; }));
-        status_when([&](const ClusterStatus& now) { return now.sessions_resumed > round; });
+        status_when([&](const ClusterStatus& now) { return now.losses.sessions_resumed > round; });
     }
     expect_right();
     EXPECT_THAT(master_.log(), HasSubstr("bad record mac"));
@@ -72,7 +72,7 @@ TEST_F(SecuredNetwork, ADamagedHandshakeIsNoRefusal) {
         proxy_.damage_greeting(round % 2 == 0);
         proxy_.cut();
         EXPECT_TRUE(comes_true([&] { return proxy_.damaged() > round; }));
-        status_when([&](const ClusterStatus& now) { return now.sessions_resumed > round; });
+        status_when([&](const ClusterStatus& now) { return now.losses.sessions_resumed > round; });
         ASSERT_TRUE(workers_[0]->is_running()) << workers_[0]->errors();
     }
     expect_right();

@@ -213,8 +213,8 @@ TEST_F(Upkeep, AWorkerThatIsDrainedEndsWellAndLosesNothing) {
     const JobStatus done = finish(id, [](const JobStatus&) {});
     EXPECT_EQ(done.state, JobState::Done) << done.failure;
     EXPECT_EQ(done.digest, job.digest_in_one_process(Query{}));
-    EXPECT_EQ(status().workers_lost, 0u);
-    EXPECT_EQ(status().scenarios_given_back, 0u);
+    EXPECT_EQ(status().losses.workers_lost, 0u);
+    EXPECT_EQ(status().losses.scenarios_given_back, 0u);
 }
 
 TEST_F(Upkeep, WorkersDrainedAtOnceEndAndOthersTakeTheirWork) {
@@ -234,7 +234,7 @@ TEST_F(Upkeep, WorkersDrainedAtOnceEndAndOthersTakeTheirWork) {
         const ClusterStatus now = status();
         return !now.workers.empty() && now.workers[0].longest.has_value();
     })) << "another has the scenario now";
-    EXPECT_EQ(status().workers_lost, 0u);
+    EXPECT_EQ(status().losses.workers_lost, 0u);
     ASSERT_TRUE(connection_->cancel(id));
 }
 
@@ -265,7 +265,7 @@ TEST_F(Upkeep, AWorkerDrainedAtOnceByItsIdLosesNothing) {
     const JobStatus done = finish(running, [](const JobStatus&) {});
     EXPECT_EQ(done.state, JobState::Done) << done.failure;
     EXPECT_EQ(done.digest, job.digest_in_one_process(Query{}));
-    EXPECT_EQ(status().workers_lost, 0u);
+    EXPECT_EQ(status().losses.workers_lost, 0u);
     EXPECT_TRUE(staying.is_running());
 }
 

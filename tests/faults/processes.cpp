@@ -44,7 +44,8 @@ MasterProcess::MasterProcess(World& world) : host_(master_host, "master") {
                                                                   *compute_,
                                                                   *blocking_,
                                                                   *journal_,
-                                                                  "/state/jobs"});
+                                                                  "/state/jobs",
+                                                                  {.knows_owners = true}});
     if (const Status restored = coordinator_->restore(journal_->take_recovered()); !restored) {
         coordinator_.reset();
         world.problem("the master does not start: " + restored.error().detail);
@@ -150,6 +151,8 @@ asio::awaitable<void> ClientProcess::run() {
 void ClientProcess::submit(Channel& channel) const {
     Submit message = job_.submit;
     message.cluster = options_;
+    // By the client's number and not drawn, so that the seeds' schedules stay as they are.
+    message.priority = static_cast<std::int32_t>(host_.id % 3) - 1;
     channel.send(message);
     if (!message.grid) {
         for (Bytes& run : packed_runs(job_.scenarios)) {

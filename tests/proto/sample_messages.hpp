@@ -90,7 +90,7 @@ inline JobStatus some_job_status() {
     status.copies_won = 44;
     status.traffic = {{33, 34, 35, 36, 37, 38}, 39};
     status.depths = {40, 41};
-    status.owner = "ilan";
+    status.turn = {"ilan", -4, 0.25};
     status.began = 45;
     return status;
 }
@@ -233,10 +233,9 @@ inline std::vector<Message> sample_messages() {
                       {{some_hash(1), "sedan.obj", 5, 6, 0.5, true}},
                       {"results differ"},
                       1,
-                      2,
-                      3,
-                      4,
-                      {5, 6, 7, 8, 9, 10}},
+                      {2, 3, 4},
+                      {5, 6, 7, 8, 9, 10},
+                      Growth{60, {{1, 31.5}, {2, 22}}, {1, 31.5}}},
         ResultsQuery{JobId{1}, 2, 3, 4},
         ResultsPart{JobId{1}, 2, 9, {{3, 2}, {8, 1}}, 3, some_bytes(30)},
         Cancel{JobId{8}, 9},

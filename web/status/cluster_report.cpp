@@ -1,6 +1,7 @@
 #include "web/status/cluster_report.hpp"
 
 #include "common/core/words.hpp"
+#include "web/status/growth_text.hpp"
 #include "web/status/job_id.hpp"
 
 #include <nlohmann/json.hpp>
@@ -131,7 +132,9 @@ Table jobs_table(const ClusterStatus& status) {
     table.add("job", "JOB", Text, [&](const Job& job) { return job_id_text(job.job, ids); });
     table.add("name", "NAME", Text, &Job::name);
     table.add("state", "STATE", Text, state);
-    table.add("owner", "OWNER", Text, &Job::owner);
+    table.add("owner", "OWNER", Text, [](const Job& job) { return job.turn.owner; });
+    table.add("priority", "PRIO", Text, [](const Job& job) { return job.turn.priority; });
+    table.add("share", "SHARE", Share, [](const Job& job) { return job.turn.share; });
     table.add("began", "BEGAN", Text, [](const Job& job) { return utc_text(job.began); });
     table.add("scenarios", "SCENARIOS", Count, [](const Job& job) { return job.summary.total; });
     table.add("done", "DONE", Count, [](const Job& job) { return job.summary.merged(); });
@@ -268,12 +271,14 @@ std::string paused_text(const ClusterStatus& status) {
 
 /// Reports the connections and workers lost since the master started; empty if none.
 std::string faults_text(const ClusterStatus& status) {
-    if (status.workers_lost + status.sessions_resumed == 0) {
+    if (status.losses.workers_lost + status.losses.sessions_resumed == 0) {
         return "";
     }
-    return "connections that broke and came back: " + std::to_string(status.sessions_resumed) +
-           "   workers lost: " + std::to_string(status.workers_lost) +
-           "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
+    return "connections that broke and came back: " +
+           std::to_string(status.losses.sessions_resumed) +
+           "   workers lost: " + std::to_string(status.losses.workers_lost) +
+           "   scenarios given to others: " + std::to_string(status.losses.scenarios_given_back) +
+           "\n";
 }
 
 /// Returns a line with the number and size of all meshes and of the meshes that no kept job uses.
@@ -361,6 +366,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     if (const std::string paused = paused_text(after); !paused.empty()) {
         text += "jobs are paused and continue when the disk can be written: " + paused + "\n";
     }
+    text += growth_text(after.growth);
     return text + "bottleneck: " + bottleneck_text(before, after) + "\n";
 }
 
@@ -407,9 +413,9 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
                       {"meshes", table_json(meshes_table(after))},
                       {"alarms", after.alarms},
                       {"alarm_count", after.alarm_count},
-                      {"workers_lost", after.workers_lost},
-                      {"sessions_resumed", after.sessions_resumed},
-                      {"scenarios_given_back", after.scenarios_given_back},
+                      {"workers_lost", after.losses.workers_lost},
+                      {"sessions_resumed", after.losses.sessions_resumed},
+                      {"scenarios_given_back", after.losses.scenarios_given_back},
                       {"state_bytes",
                        {{"results", after.sizes.results},
                         {"poses", after.sizes.poses},
@@ -419,6 +425,7 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
                         {"free", after.sizes.free}}},
                       {"long_scenarios", long_scenarios_json(after)},
                       {"paused", paused_text(after)},
+                      {"more_workers", growth_json(after.growth)},
                       {"bottleneck", bottleneck_text(before, after)}});
 }
 

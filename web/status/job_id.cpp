@@ -89,7 +89,7 @@ find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_vie
     }
     std::optional<JobId> last;
     for (const JobStatus& job : jobs) {
-        if (job.owner == owner && (!last || *last < job.job)) {
+        if (job.turn.owner == owner && (!last || *last < job.job)) {
             last = job.job;
         }
     }

@@ -38,6 +38,9 @@ std::string raw_text(const Cell& cell) {
     if (const auto* value = std::get_if<double>(&cell)) {
         return exact_text(*value);
     }
+    if (const auto* number = std::get_if<std::int64_t>(&cell)) {
+        return std::to_string(*number);
+    }
     const auto* count = std::get_if<std::uint64_t>(&cell);
     return count != nullptr ? std::to_string(*count) : std::get<std::string>(cell);
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -32,7 +33,8 @@ struct Column {
 };
 
 /// A cell's value. A list is printed with blanks between its numbers; in JSON it is an array.
-using Cell = std::variant<std::string, std::uint64_t, double, std::vector<std::uint32_t>>;
+using Cell =
+    std::variant<std::string, std::uint64_t, std::int64_t, double, std::vector<std::uint32_t>>;
 
 /// Each row has a cell for each column; the first column has the row's name.
 struct Table {
@@ -53,7 +55,7 @@ class TableOf {
     void add(const char* key, const char* title, CellKind kind, const CellOf& cell_of) {
         table_.columns.push_back({key, title, kind});
         for (std::size_t i = 0; i < objects_.size(); ++i) {
-            table_.rows[i].emplace_back(std::invoke(cell_of, objects_[i]));
+            table_.rows[i].push_back(cell(std::invoke(cell_of, objects_[i])));
         }
     }
     /// Adds a column that is printed only with -o wide, csv or json.
@@ -66,6 +68,17 @@ class TableOf {
     [[nodiscard]] Table take() { return std::move(table_); }
 
   private:
+    template <class Value>
+    static Cell cell(const Value& value) {
+        if constexpr (std::is_integral_v<Value> && std::is_signed_v<Value>) {
+            return std::int64_t{value};
+        } else if constexpr (std::is_integral_v<Value>) {
+            return std::uint64_t{value};
+        } else {
+            return value;
+        }
+    }
+
     std::span<const Row> objects_;
     Table table_;
 };

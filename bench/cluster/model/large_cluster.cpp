@@ -56,16 +56,18 @@ class LargeCluster {
           options_(options),
           master_(workload, master_options(options)),
           idle_analysts_(options.analysts) {
-        hosts_.reserve(options.speeds.size());
-        for (const double speed : options.speeds) {
-            hosts_.emplace_back(
-                WorkerModel(WorkerId{hosts_.size() + 1}, workload, options.cache_bytes), speed);
+        hosts_.reserve(options.speeds.size() + options.late.speeds.size());
+        for (const auto* speeds : {&options.speeds, &options.late.speeds}) {
+            for (const double speed : *speeds) {
+                hosts_.emplace_back(
+                    WorkerModel(WorkerId{hosts_.size() + 1}, workload, options.cache_bytes), speed);
+            }
         }
         links_.resize(hosts_.size() + 1);
     }
 
     LargeOutcome run() {
-        const std::vector<std::uint32_t> threads(hosts_.size(), 1);
+        const std::vector<std::uint32_t> threads(options_.speeds.size(), 1);
         send(master_.start(threads));
         work_on_pool();
         await_timer();
@@ -146,6 +148,7 @@ class LargeCluster {
         master.peers = options.peers;
         master.cache_bytes = options.cache_bytes;
         master.pool_threads = options.analysts;
+        master.result_seconds = options.result_seconds;
         return master;
     }
 
@@ -163,6 +166,7 @@ class LargeCluster {
         const auto event = std::move(in_.front());
         in_.pop_front();
         const double spent_before = master_.counts().seconds;
+        const std::uint64_t results_before = master_.counts().results;
         Letters letters = master_.time_is(agenda_.now());
         const auto append = [&](Letters more) {
             std::move(more.begin(), more.end(), std::back_inserter(letters));
@@ -171,8 +175,11 @@ class LargeCluster {
         while (!master_.uncommitted().empty()) {
             append(master_.commit());
         }
+        append(join_late_hosts());
         const double spent =
-            options_.charges_coordinator ? master_.counts().seconds - spent_before : 0;
+            (options_.charges_coordinator ? master_.counts().seconds - spent_before : 0) +
+            options_.result_seconds *
+                static_cast<double>(master_.counts().results - results_before);
         charged_ += spent;
         agenda_.at(agenda_.now() + spent, [this, letters = std::move(letters)]() mutable {
             send(std::move(letters));
@@ -181,6 +188,19 @@ class LargeCluster {
             await_timer();
             serve();
         });
+    }
+
+    Letters join_late_hosts() {
+        const double share =
+            static_cast<double>(master_.answered()) / static_cast<double>(workload_.count());
+        if (are_late_here_ || share < options_.late.share) {
+            return {};
+        }
+        are_late_here_ = true;
+        outcome_.joined_seconds = agenda_.now();
+        outcome_.growth = master_.growth();
+        const std::vector<std::uint32_t> threads(options_.late.speeds.size(), 1);
+        return master_.join(threads);
     }
 
     void work_on_pool() {
@@ -355,6 +375,7 @@ class LargeCluster {
     std::deque<std::function<Letters()>> in_; ///< Events that the master has yet to handle.
     double timer_ = 0; ///< Time of the last event that was scheduled for a timer.
     bool is_serving_ = false;
+    bool are_late_here_ = false;
     std::uint32_t idle_analysts_ = 0;
     double charged_ = 0;
     LargeOutcome outcome_;

@@ -2,15 +2,24 @@
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
+#include "proto/messages/client_messages.hpp"
 #include "proto/messages/cluster_options.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace cd::bench {
 
+/// Hosts that join while the job runs.
+struct LateHosts {
+    double share = 1; ///< They join once this share of the scenarios is answered.
+    std::vector<double> speeds;
+};
+
 struct LargeOptions {
     std::vector<double> speeds; ///< Speed of each host relative to a fast one; one thread each.
+    LateHosts late = {};
     ClusterOptions dispatch;
     bool peers = true;
     std::uint64_t cache_bytes = 0; ///< Cache of each host; 0: no limit.
@@ -20,6 +29,7 @@ struct LargeOptions {
     double results_period = 0.05;
     /// Charges the master's thread with the coordinator's real time; runs then differ slightly.
     bool charges_coordinator = false;
+    double result_seconds = 0; ///< Time of the master's thread for each result.
 };
 
 struct LargeOutcome {
@@ -37,6 +47,8 @@ struct LargeOutcome {
     double start_share = 0;
     double between_share = 0;
     double tail_share = 0;
+    double joined_seconds = 0;         ///< When the late hosts joined.
+    std::optional<Growth> growth = {}; ///< The master's estimate just before.
 };
 
 /// Every host has one link in each direction. Messages larger than control messages pass the

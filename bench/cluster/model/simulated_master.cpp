@@ -75,7 +75,9 @@ struct SimulatedMaster::State {
          .options = {
              .check = [this](const TaskContent&, const Results& message) { return check(message); },
              .feed = options.feed,
-             .dispatch = {.helps_at_end = options.helps_at_end}}}};
+             .dispatch = {.helps_at_end = options.helps_at_end},
+             .cpu_seconds =
+                 [this] { return options.result_seconds * static_cast<double>(counts.results); }}}};
 };
 
 // ---- What pool threads compute ------------------------------------------------------------------
@@ -165,6 +167,14 @@ SimulatedMaster::Letters SimulatedMaster::start(std::span<const std::uint32_t> w
     });
 }
 
+SimulatedMaster::Letters SimulatedMaster::join(std::span<const std::uint32_t> worker_threads) {
+    return run([&] {
+        for (const std::uint32_t threads : worker_threads) {
+            state_->join(threads);
+        }
+    });
+}
+
 void SimulatedMaster::State::join(std::uint32_t threads) {
     Hello hello;
     hello.role = Role::Worker;
@@ -246,6 +256,10 @@ const MasterCounts& SimulatedMaster::counts() const {
 
 std::uint64_t SimulatedMaster::answered() const {
     return state_->only_job().merged.summary().merged();
+}
+
+std::optional<Growth> SimulatedMaster::growth() const {
+    return state_->coordinator.jobs().cluster().growth;
 }
 
 std::uint64_t SimulatedMaster::recalled() const {

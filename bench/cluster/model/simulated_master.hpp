@@ -42,6 +42,7 @@ struct MasterOptions {
     std::uint64_t cache_bytes = 0; ///< Cache of each worker; 0: no limit.
     bool helps_at_end = true;
     std::uint32_t pool_threads = 1; ///< Threads that analyse and check results.
+    double result_seconds = 0;      ///< Time that the master's thread is to take for each result.
 };
 
 /// Each call returns the letters that follow from it.
@@ -63,6 +64,8 @@ class SimulatedMaster {
 
     /// Opens the job and adds workers with so many threads, numbered from 1.
     Letters start(std::span<const std::uint32_t> worker_threads);
+    /// Adds workers with so many threads, numbered on.
+    Letters join(std::span<const std::uint32_t> worker_threads);
     /// Advances the time, in seconds. Call before every event; time never decreases.
     Letters time_is(double now);
     /// Time of the next event without a message, in seconds.
@@ -84,6 +87,8 @@ class SimulatedMaster {
     [[nodiscard]] bool is_done() const;
     [[nodiscard]] const MasterCounts& counts() const;
     [[nodiscard]] std::uint64_t answered() const; ///< Scenarios with a result.
+    /// How much more workers would help, as clients are told.
+    [[nodiscard]] std::optional<Growth> growth() const;
     [[nodiscard]] std::uint64_t recalled() const;
     [[nodiscard]] std::uint64_t copies() const;
 

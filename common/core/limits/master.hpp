@@ -141,6 +141,11 @@ inline constexpr double range_lateness_max = 1.5;
 /// Number of scenarios of a job that one move takes to a worker that runs dry.
 inline constexpr std::size_t moves_tried_max = 64;
 
+// More workers.
+inline constexpr std::uint32_t growth_workers_max = 1024; ///< Additional workers considered.
+/// A number of additional workers is worth it if they add this part of their share of speed.
+inline constexpr double growth_share_min = 0.8;
+
 // The end of a job, when no work waits and some workers are idle.
 inline constexpr double copies_share_max = 0.05; ///< Share of a job's work that may be done twice.
 inline constexpr double copy_gain_min = 1.5;     ///< Least speed-up by a speculative copy.

@@ -58,6 +58,12 @@ inline constexpr std::chrono::seconds peer_wait_max{10};
 /// Each worker above `limits::workers_few` adds this to the period of checks of all workers, s.
 inline constexpr double look_seconds_each = 2e-6;
 
+// Shares of owners and jobs.
+/// An owner that does not use its share saves up so much time of all threads at most, s.
+inline constexpr double share_credit_seconds = 10;
+/// A job's share of the threads is shown over about this time, s.
+inline constexpr double share_shown_seconds = 10;
+
 // Matching by time: values assumed until they are measured, and the size of batches.
 inline constexpr double block_seconds = 20e-6; ///< Time to request and unpack a block.
 inline constexpr double batch_seconds_start = 0.1;

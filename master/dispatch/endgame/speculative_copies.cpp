@@ -63,7 +63,7 @@ PositionSet SpeculativeCopies::positions_to_copy(const WorkerProxy& from,
                                                   context_.pace.positions_per_second(helper, job));
     // A task without analysis is one run of positions.
     return PositionSet(candidates.runs().back())
-        .last(std::min({job.copies.left_ns() / task.each_ns(),
+        .last(std::min({job.copies.left_ns() / context_.pace.mean_cost_of(1),
                         std::max<std::uint64_t>(batch, helper.facts().threads),
                         stragglers_.positions_to_move(from,
                                                       job,

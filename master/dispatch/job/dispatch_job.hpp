@@ -99,6 +99,12 @@ struct RangeTotals {
     std::uint64_t left = 0; ///< Scenarios that are unsent, or unanswered at an unclaimed worker.
 };
 
+/// Analysed scenarios of a job on their way to the workers.
+struct JobInput {
+    std::uint64_t unsent = 0; ///< Scenarios that wait, are suspects, or are buffered.
+    bool is_paused = false;   ///< No more come for now.
+};
+
 struct DispatchJob {
     DispatchJob(JobId job,
                 const ClusterOptions& job_options,
@@ -121,6 +127,7 @@ struct DispatchJob {
     /// All unanswered analysed scenarios, by position.
     std::unordered_map<std::uint64_t, DispatchScenario> scenarios;
     std::deque<std::uint64_t> waiting;
+    JobInput input;
     UnsentPositions unsent;
     RangePace range_pace;
     mutable std::optional<RangeTotals> range_totals; ///< Cache of `RangeSender::totals`.

@@ -16,7 +16,7 @@ bool BestMatchPull::can_pull(const WorkerProxy& proxy, const DispatchJob& job) c
         return false;
     }
     return job.waiting.size() >= job.options.q ||
-           (context().queue.is_paused() && proxy.would_run_dry(job.options));
+           (context().queue.input_rests(job) && proxy.would_run_dry(job.options));
 }
 
 std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,

@@ -28,7 +28,7 @@ void Rebalancer::rebalance(Actions& actions) {
             full.pop_back();
             move(fullest, *proxy);
             add_backlog(full, fullest);
-            allocator_.flush_ripe(*proxy, actions);
+            filler_.flush_ripe(*proxy, actions);
             add_backlog(full, *proxy);
         }
     }
@@ -43,10 +43,10 @@ void Rebalancer::add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) con
 }
 
 void Rebalancer::move(WorkerProxy& from, WorkerProxy& to) {
-    for (auto& [id, job] : queue_.jobs()) {
+    for (DispatchJob* job : queue_.in_order()) {
         std::size_t tries = limits::moves_tried_max;
-        while (job.policy->moves_work() && tries-- > 0 &&
-               to.backlog_ns() < 2 * to.batch.cost_ns() && move_one(from, to, job)) {
+        while (job->policy->moves_work() && tries-- > 0 &&
+               to.backlog_ns() < 2 * to.batch.cost_ns() && move_one(from, to, *job)) {
         }
     }
 }

@@ -1,7 +1,7 @@
 // Moves buffered scenarios to workers that run dry, for strategies that move work.
 #pragma once
 
-#include "master/dispatch/allocator.hpp"
+#include "master/dispatch/order/worker_filler.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -16,8 +16,8 @@ class Rebalancer {
     Rebalancer(const MatchingContext& context,
                WorkQueue& queue,
                BlockNeeds& blocks,
-               Allocator& allocator)
-        : context_(context), queue_(queue), blocks_(blocks), allocator_(allocator) {}
+               WorkerFiller& filler)
+        : context_(context), queue_(queue), blocks_(blocks), filler_(filler) {}
 
     void rebalance(Actions& actions);
 
@@ -44,7 +44,7 @@ class Rebalancer {
     MatchingContext context_;
     WorkQueue& queue_;
     BlockNeeds& blocks_;
-    Allocator& allocator_;
+    WorkerFiller& filler_;
 };
 
 } // namespace cd

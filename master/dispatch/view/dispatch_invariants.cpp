@@ -66,9 +66,12 @@ void check_positions(const DispatchParts& parts, const DispatchJob& job) {
 
 void check_unsent(const DispatchParts& parts) {
     std::uint64_t not_sent = parts.queue.suspects().size();
+    std::uint64_t of_jobs = 0;
     for (const auto& [id, job] : parts.queue.jobs()) {
         not_sent += job.waiting.size();
+        of_jobs += job.input.unsent;
     }
+    CD_CHECK(of_jobs == parts.queue.unsent());
     for (const auto& [id, proxy] : parts.pool.all()) {
         not_sent += proxy.buffers.count();
     }
@@ -110,6 +113,19 @@ void check_job(const DispatchParts& parts, const DispatchJob& job) {
     }
 }
 
+/// Checks that the order of jobs counts the tasks of each job.
+void check_order(const DispatchParts& parts) {
+    std::map<JobId, std::uint64_t> in_flight_ns;
+    for (const auto& [id, proxy] : parts.pool.all()) {
+        for (const auto& [task_id, task] : proxy.tasks.all()) {
+            in_flight_ns[task.job] += task.cost_ns;
+        }
+    }
+    for (const auto& [id, job] : parts.queue.jobs()) {
+        CD_CHECK(parts.queue.order().in_flight_ns(id) == in_flight_ns[id]);
+    }
+}
+
 void check_recalls(const DispatchParts& parts) {
     for (const auto& [worker, recall] : parts.tasks.recalls()) {
         const WorkerProxy* proxy = parts.pool.find(worker);
@@ -118,6 +134,12 @@ void check_recalls(const DispatchParts& parts) {
         CD_CHECK(!proxy->is_silent());
         CD_CHECK(recall.asked != 0);
     }
+}
+
+/// True if several jobs share the workers, and this one has work for all its threads. A job may
+/// then have to wait with its next task.
+bool is_kept_busy(const DispatchParts& parts, const WorkerProxy& proxy) {
+    return parts.queue.jobs().size() > 1 && proxy.tasks.left() >= proxy.facts().threads;
 }
 
 void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
@@ -130,8 +152,8 @@ void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
         CD_CHECK(buffer.scenarios.size() <= job.policy->bounds(proxy, job).buffered);
         CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
         cost_ns += buffer.cost_ns;
-        // The allocator has sent all ripe buffers.
-        CD_CHECK(!parts.allocator.is_ripe(proxy, job));
+        // All ripe buffers have been sent, unless tasks of another job keep the worker busy.
+        CD_CHECK(!parts.filler.is_ripe(proxy, job) || is_kept_busy(parts, proxy));
         buffered += buffer.scenarios.size();
     }
     CD_CHECK(buffered == proxy.buffers.count());
@@ -190,7 +212,7 @@ void check_progress(const DispatchParts& parts) {
                      std::ranges::any_of(parts.pool.all(), [](const auto& one) {
                          return !one.second.tasks.all().empty();
                      }));
-            CD_CHECK(!job.policy->can_pull(proxy, job));
+            CD_CHECK(!job.policy->can_pull(proxy, job) || is_kept_busy(parts, proxy));
         }
     }
     for (const auto& [id, job] : parts.queue.jobs()) {
@@ -212,6 +234,7 @@ void check_invariants_of(const DispatchParts& parts) {
         check_worker(parts, proxy);
         check_flight(parts, proxy);
     }
+    check_order(parts);
     check_recalls(parts);
     check_progress(parts);
 }

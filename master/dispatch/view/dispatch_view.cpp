@@ -18,6 +18,18 @@ std::uint64_t DispatchView::unsent() const {
     return parts_->queue.unsent();
 }
 
+std::uint64_t DispatchView::unsent_of(JobId job) const {
+    return parts_->queue.at(job).input.unsent;
+}
+
+bool DispatchView::is_analysed_before(JobId one, JobId other) const {
+    return parts_->queue.analysis_order().comes_before(one, other);
+}
+
+double DispatchView::share(JobId job) const {
+    return parts_->queue.order().share(job, parts_->pace.now());
+}
+
 bool DispatchView::is_at_end() const {
     return parts_->endgame.has_begun();
 }
@@ -41,6 +53,14 @@ std::uint64_t DispatchView::positions_enough(JobId job) const {
 
 MissingCosts DispatchView::missing_costs(JobId job) const {
     return parts_->blocks.costs_of(parts_->queue.at(job));
+}
+
+bool DispatchView::moves_work(JobId job) const {
+    return parts_->queue.at(job).policy->moves_work();
+}
+
+WorkersNow DispatchView::workers_now() const {
+    return cd::workers_now(*parts_);
 }
 
 WorkerStatus DispatchView::worker_status(WorkerId worker) const {

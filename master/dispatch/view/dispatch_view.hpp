@@ -5,6 +5,7 @@
 #include "master/base/position_set.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/range_choice.hpp"
+#include "master/dispatch/view/growth.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
@@ -21,6 +22,12 @@ class DispatchView {
     /// Analysed scenarios that wait or are buffered; this number throttles the analyser. Positions
     /// that go out without analysis are counted by `positions_unsent`.
     [[nodiscard]] std::uint64_t unsent() const;
+    /// The job's analysed scenarios that wait or are buffered. The job must be open.
+    [[nodiscard]] std::uint64_t unsent_of(JobId job) const;
+    /// True if `one` is to be analysed before `other`. Both jobs must be open.
+    [[nodiscard]] bool is_analysed_before(JobId one, JobId other) const;
+    /// The job's part of the thread time of the last seconds (`JobOrder::share`).
+    [[nodiscard]] double share(JobId job) const;
     /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
     /// time to time then, to find stragglers.
     [[nodiscard]] bool is_at_end() const;
@@ -34,6 +41,11 @@ class DispatchView {
     /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
     /// one, in seconds per scenario, and of filling every cache. The job must be open.
     [[nodiscard]] MissingCosts missing_costs(JobId job) const;
+    /// True if the job's analysed work moves to workers that would finish it earlier. The job must
+    /// be open.
+    [[nodiscard]] bool moves_work(JobId job) const;
+    /// The present workers, for an estimate of how much more would help.
+    [[nodiscard]] WorkersNow workers_now() const;
     /// The parts of a WorkerStatus that the dispatcher knows: claimed, draining, buffered, working,
     /// tasks, scenarios.
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;

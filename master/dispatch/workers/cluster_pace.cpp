@@ -4,6 +4,8 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
 
+#include <algorithm>
+
 namespace cd {
 
 void ClusterPace::time_is(double seconds) {
@@ -30,8 +32,17 @@ double ClusterPace::mean_cost_ns() const {
     return mean_cost_ns_.value_or(static_cast<double>(limits::scenario_ns_unknown));
 }
 
+std::uint64_t ClusterPace::mean_cost_of(std::uint64_t positions) const {
+    return positions * std::max<std::uint64_t>(1, static_cast<std::uint64_t>(mean_cost_ns()));
+}
+
 double ClusterPace::positions_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
     return job.range_pace.per_thread(proxy.id(), 1e9 / mean_cost_ns()) * proxy.facts().threads;
+}
+
+std::uint64_t ClusterPace::position_ns(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const double each = 1e9 * power_of(proxy) / positions_per_second(proxy, job);
+    return static_cast<std::uint64_t>(std::clamp(each, 1.0, 1e12));
 }
 
 double ClusterPace::thread_seconds_of(const TaskInFlight& task,

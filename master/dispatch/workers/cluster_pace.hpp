@@ -29,6 +29,9 @@ class ClusterPace {
 
     /// Mean predicted time of the recently added scenarios, ns.
     [[nodiscard]] double mean_cost_ns() const;
+    /// Predicted time of so many positions without analysis, each as long as the mean, ns; not 0
+    /// for one. In this unit a job's copies have a share of its work, whichever worker has them.
+    [[nodiscard]] std::uint64_t mean_cost_of(std::uint64_t positions) const;
     /// Predicted seconds of work that one thread of the worker does per second.
     [[nodiscard]] double speed_of(const WorkerProxy& proxy) const;
     /// Predicted seconds of work that all threads of the worker do per second.
@@ -39,6 +42,8 @@ class ClusterPace {
     /// Scenarios of the job's ranges that all threads of the worker finish per second.
     [[nodiscard]] double positions_per_second(const WorkerProxy& proxy,
                                               const DispatchJob& job) const;
+    /// Predicted time of one position of the job's ranges, for the worker.
+    [[nodiscard]] std::uint64_t position_ns(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Time in which one thread of the worker would finish the unanswered part of the job's task.
     [[nodiscard]] double thread_seconds_of(const TaskInFlight& task,
                                            const WorkerProxy& proxy,

@@ -16,13 +16,26 @@ std::size_t WorkerTasks::count_of(JobId job) const {
         tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.job == job; }));
 }
 
+std::size_t WorkerTasks::unanswered_of(JobId job) const {
+    return static_cast<std::size_t>(std::count_if(tasks_.begin(), tasks_.end(), [&](auto& task) {
+        return task.second.job == job && task.second.left() != 0;
+    }));
+}
+
+std::uint64_t WorkerTasks::left_of(JobId job) const {
+    std::uint64_t left = 0;
+    for (const auto& [id, task] : tasks_) {
+        left += task.job == job ? task.left() : 0;
+    }
+    return left;
+}
+
 void WorkerTasks::start(TaskId task, TaskInFlight content) {
     progressed_ = left_ == 0 ? content.sent : progressed_;
     left_ += content.left();
     cost_ns_ += content.cost_ns;
     claiming_ += content.claims ? 1 : 0;
     ++sent_;
-    last_job_ = content.job;
     const bool is_new = tasks_.emplace(task, std::move(content)).second;
     CD_CHECK(is_new);
 }

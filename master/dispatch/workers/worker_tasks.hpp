@@ -65,14 +65,16 @@ class WorkerTasks {
     [[nodiscard]] const TaskInFlight& at(TaskId task) const { return tasks_.at(task); }
     /// Number of the job's tasks.
     [[nodiscard]] std::size_t count_of(JobId job) const;
+    /// Number of the job's tasks that have unanswered positions.
+    [[nodiscard]] std::size_t unanswered_of(JobId job) const;
     /// Number of unanswered positions.
     [[nodiscard]] std::uint64_t left() const { return left_; }
+    /// Number of the job's unanswered positions.
+    [[nodiscard]] std::uint64_t left_of(JobId job) const;
     /// Predicted time of the unanswered positions.
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
     /// True if a task that claims the worker is still running (the paper's label "claimed").
     [[nodiscard]] bool have_claimed() const { return claiming_ != 0; }
-    /// The job of the task sent last to the worker; all other jobs come first now.
-    [[nodiscard]] JobId last_job() const { return last_job_; }
     /// Number of tasks sent to the worker so far.
     [[nodiscard]] std::uint64_t sent() const { return sent_; }
     /// Number of positions that the worker has answered so far.
@@ -102,7 +104,6 @@ class WorkerTasks {
     std::uint64_t left_ = 0;
     std::uint64_t cost_ns_ = 0;
     std::size_t claiming_ = 0;
-    JobId last_job_;
     std::uint64_t sent_ = 0;
     std::uint64_t answered_ = 0;
     double progressed_ = 0;

@@ -49,6 +49,7 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
         return parts_.life.wait_for_disk(*job, *block.error, [](MasterJob*) {});
     }
     parts_.life.disk_gives(*job);
+    parts_.dispatch->analysis_took(id, block.positions.count, block.seconds);
     const auto begin = parts_.jobs.now();
     const std::uint64_t handed_out = hand_out(*job, block);
     if (!job->is_running()) {

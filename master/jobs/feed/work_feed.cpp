@@ -11,7 +11,8 @@ namespace cd {
 
 void WorkFeed::feed() {
     Load load;
-    std::vector<MasterJob*> jobs = jobs_to_feed(load);
+    const Jobs all = jobs_to_feed(load);
+    Jobs jobs = all;
     std::erase_if(jobs, [this](MasterJob* job) {
         if (!prefers_ranges_now(*job)) {
             parts_.ranges.take_back(*job);
@@ -22,25 +23,42 @@ void WorkFeed::feed() {
         const PositionQueue& todo = job->work()->todo;
         return todo.empty() || todo.front().losses.none();
     });
-    for (bool any_started = true; any_started;) {
-        any_started = false;
-        for (MasterJob* job : jobs) {
-            if (job->work()->todo.empty() || !has_room_for_analysis(load)) {
-                continue;
-            }
-            parts_.analyses.start(*job);
-            fed_last_ = job->id;
-            ++load.under_way;
-            any_started = true;
-        }
+    std::uint64_t count = 0; // Jobs of this or a higher priority.
+    for (std::span<MasterJob* const> rest(jobs); !rest.empty();) {
+        const std::int32_t priority = rest.front()->submit.priority;
+        const auto lower = std::ranges::find_if(
+            rest, [&](const MasterJob* job) { return job->submit.priority != priority; });
+        const auto alike = static_cast<std::size_t>(lower - rest.begin());
+        count += alike;
+        analyse(rest.first(alike), parts_.dispatch.view().unsent_enough() / count, load);
+        rest = rest.subspan(alike);
     }
     if (load.under_way == 0) {
-        parts_.dispatch.act(parts_.dispatch->input_paused());
+        return parts_.dispatch.act(parts_.dispatch->input_paused());
+    }
+    for (const MasterJob* job : all) {
+        if (job->work() != nullptr && job->work()->analyses_under_way() == 0) {
+            parts_.dispatch.act(parts_.dispatch->job_input_paused(job->id));
+        }
     }
 }
 
-std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
-    std::vector<MasterJob*> jobs;
+void WorkFeed::analyse(std::span<MasterJob* const> jobs, std::uint64_t unsent_max, Load& load) {
+    for (bool any_started = true; any_started;) {
+        any_started = false;
+        for (MasterJob* job : jobs) {
+            if (!job->work()->todo.empty() && has_room_for_analysis(load) &&
+                wants_more(*job, unsent_max, load)) {
+                parts_.analyses.start(*job);
+                ++load.under_way;
+                any_started = true;
+            }
+        }
+    }
+}
+
+WorkFeed::Jobs WorkFeed::jobs_to_feed(Load& load) {
+    Jobs jobs;
     for (const JobId id : parts_.jobs.running()) {
         MasterJob& job = parts_.jobs.at(id);
         if (job.work() == nullptr) {
@@ -54,11 +72,9 @@ std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
             jobs.push_back(&job);
         }
     }
-    // Round robin: start after the job that was fed last.
-    std::rotate(
-        jobs.begin(),
-        std::ranges::find_if(jobs, [&](const MasterJob* job) { return job->id > fed_last_; }),
-        jobs.end());
+    std::ranges::sort(jobs, [this](const MasterJob* one, const MasterJob* other) {
+        return parts_.dispatch.view().is_analysed_before(one->id, other->id);
+    });
     return jobs;
 }
 
@@ -66,20 +82,20 @@ bool WorkFeed::has_room_for_analysis(const Load& load) const {
     // Enough analyses keep the pool busy; more would only delay results.
     return parts_.writer.has_room() &&
            load.under_way < parts_.background.compute_pool().size() + 2 &&
-           load.open_bytes < limits::open_analyses_bytes_max &&
-           wants_more(load.under_way * parts_.limits.block_scenarios);
+           load.open_bytes < limits::open_analyses_bytes_max;
 }
 
-bool WorkFeed::wants_more(std::uint64_t under_way) const {
+bool WorkFeed::wants_more(const MasterJob& job, std::uint64_t unsent_max, const Load& load) const {
     const DispatchView& dispatch = parts_.dispatch.view();
+    const std::uint64_t block = parts_.limits.block_scenarios;
     if (parts_.limits.waiting_max == 0) {
-        return dispatch.unsent() + under_way < dispatch.unsent_enough();
+        return dispatch.unsent_of(job.id) + job.work()->analyses_under_way() * block < unsent_max;
     }
     std::uint64_t waiting = dispatch.unsent();
     for (const WorkerId worker : dispatch.workers()) {
         waiting -= dispatch.worker_status(worker).buffered;
     }
-    return waiting + under_way < parts_.limits.waiting_max;
+    return waiting + load.under_way * block < parts_.limits.waiting_max;
 }
 
 bool WorkFeed::prefers_ranges_now(const MasterJob& job) const {

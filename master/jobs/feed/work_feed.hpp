@@ -1,4 +1,5 @@
-// Chooses the jobs' next work: analyses to start, or ranges sent without analysis.
+// Chooses the jobs' next work: analyses to start, or ranges sent without analysis. Jobs of higher
+// priority come first. Of equal ones, owners get the same time of the pool's threads.
 #pragma once
 
 #include "master/base/background.hpp"
@@ -9,6 +10,7 @@
 #include "master/workers/worker_directory.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -41,15 +43,20 @@ class WorkFeed {
         std::uint64_t under_way = 0;  ///< Blocks (`AnalysedBlock`) in analysis, of all jobs.
         std::uint64_t open_bytes = 0; ///< Memory of the open analyses of all jobs.
     };
+    using Jobs = std::vector<MasterJob*>;
+
     /// Jobs that may get work, in the order of their turns. Adds the load of all jobs to `load`.
-    [[nodiscard]] std::vector<MasterJob*> jobs_to_feed(Load& load);
+    [[nodiscard]] Jobs jobs_to_feed(Load& load);
+    /// Starts analyses of these jobs, one after the other, while they want more and there is room.
+    /// `unsent_max`: number of unsent scenarios of one job that leaves workers enough choice.
+    void analyse(std::span<MasterJob* const> jobs, std::uint64_t unsent_max, Load& load);
     [[nodiscard]] bool has_room_for_analysis(const Load& load) const;
-    /// True if `under_way` more scenarios still leave workers too little choice.
-    [[nodiscard]] bool wants_more(std::uint64_t under_way) const;
+    /// True if the job's unsent scenarios, with those in analysis, are fewer than `unsent_max`.
+    [[nodiscard]] bool
+    wants_more(const MasterJob& job, std::uint64_t unsent_max, const Load& load) const;
     [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
 
     Parts parts_;
-    JobId fed_last_;
 };
 
 } // namespace cd

@@ -1,6 +1,5 @@
 // Proves how scenarios move through buffers into tasks: jobs in turn, full buffers at once, others
 // when nothing more comes.
-#include "master/dispatch/round_robin.hpp"
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -30,14 +29,14 @@ TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
     EXPECT_EQ(sent(), (Lists{{0, 1}}));
     EXPECT_EQ(one.buffers.count(), 1u);
     queue.set_paused(true);
-    EXPECT_FALSE(allocator.is_ripe(one, job)); // The worker has q scenarios.
+    EXPECT_FALSE(filler.is_ripe(one, job)); // The worker has q scenarios.
     one.tasks.remove(last<SendUnit>().task, PositionRange{0, 1}, 1'000'000);
-    EXPECT_TRUE(allocator.is_ripe(one, job));
-    allocator.refill(one, actions);
+    EXPECT_TRUE(filler.is_ripe(one, job));
+    filler.fill(one, actions);
     EXPECT_EQ(sent(), (Lists{{0, 1}, {2}}));
 }
 
-TEST_F(Allocating, JobsAreServedInTurn) {
+TEST_F(Allocating, AllJobsAreServed) {
     DispatchJob& first = open("best-match", 4, 1);
     DispatchJob& second = open("best-match", 4, 2);
     WorkerProxy& one = join(1);
@@ -46,7 +45,6 @@ TEST_F(Allocating, JobsAreServedInTurn) {
     add(first, 2);
     add(second, 2);
     allocator.settle(actions);
-    EXPECT_EQ(queue.served_last(), second.id);
     EXPECT_EQ(one.buffers.count() + two.buffers.count(), 4u);
     EXPECT_EQ(one.buffers.of(first.id).scenarios.size() + two.buffers.of(first.id).scenarios.size(),
               2u);
@@ -82,7 +80,7 @@ TEST_F(Allocating, ASuspectEmptiesTheBuffersOfTheWorkerThatIsReservedForIt) {
     queue.add(job, next++, suspect);
     allocator.take_up(job, true, false, actions);
     EXPECT_EQ(sent(), Lists{{0}});
-    EXPECT_FALSE(allocator.is_ripe(one, job));
+    EXPECT_FALSE(filler.is_ripe(one, job));
 }
 
 TEST_F(Allocating, ASuspectTravelsAloneToAnIdleWorkerThatItClaims) {
@@ -110,17 +108,6 @@ TEST_F(Allocating, AFreeWorkerPulls) {
     allocator.take_up(job, false, false, actions);
     EXPECT_EQ(sent(), (Lists{{0, 1}}));
     EXPECT_EQ(one.buffers.count(), 0u);
-}
-
-TEST(RoundRobin, BeginsAfterTheLastAndEndsWithIt) {
-    std::map<int, bool> wanted = {{1, true}, {2, false}, {3, true}};
-    const auto is_wanted = [](const auto& entry) { return entry.second; };
-    EXPECT_EQ(next_in_turn(wanted, 1, is_wanted)->first, 3);
-    EXPECT_EQ(next_in_turn(wanted, 3, is_wanted)->first, 1);
-    wanted[1] = false;
-    EXPECT_EQ(next_in_turn(wanted, 3, is_wanted)->first, 3);
-    wanted[3] = false;
-    EXPECT_EQ(next_in_turn(wanted, 0, is_wanted), nullptr);
 }
 
 } // namespace

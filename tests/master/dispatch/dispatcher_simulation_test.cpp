@@ -93,7 +93,9 @@ class Simulation {
         DispatchTree a{TreeId{below(3)}, std::vector<std::uint32_t>(8, 3)};
         DispatchTree b{TreeId{10 + job.value}, std::vector<std::uint32_t>(5, 2)};
         jobs_[job].total = 20 + below(60);
-        do_actions(dispatcher_.job_opened(job, options, {std::move(a), std::move(b)}));
+        const JobRank rank{static_cast<std::int32_t>(job.value % 2),
+                           job.value == 1 ? "ann" : "bob"};
+        do_actions(dispatcher_.job_opened(job, options, {std::move(a), std::move(b)}, rank));
     }
 
     void random_event() {
@@ -115,13 +117,20 @@ class Simulation {
         } else if (dice < 94) {
             below(3) == 0 ? hear() : measure();
         } else if (dice < 96) {
-            do_actions(dispatcher_.input_paused());
+            below(4) == 0 ? pause_one() : do_actions(dispatcher_.input_paused());
         } else if (dice < 97) {
             below(2) == 0 ? answer_an_ask() : stand();
         } else if (dice < 99) {
             repeat_an_old_answer();
         } else if (below(20) == 0) {
             cancel();
+        }
+    }
+
+    void pause_one() {
+        const JobId job{1 + below(jobs_.size())};
+        if (!jobs_.at(job).cancelled) {
+            do_actions(dispatcher_.job_input_paused(job));
         }
     }
 

@@ -16,11 +16,12 @@ class RangeSending : public testing::Test, protected DispatchStage {
 TEST_F(RangeSending, EachWorkerGetsABatchesWorthAndTheNextBeforeItRunsDry) {
     WorkerProxy& one = join(1);
     job_.unsent.add({{0, 10'000}}, 0);
-    ranges.give(actions);
+    filler.give_ranges(actions);
     EXPECT_EQ(last<SendUnit>().positions, (PositionRange{0, 100})); // 0.1 s.
     EXPECT_EQ(actions.size(), 1u);
     one.tasks.remove(last<SendUnit>().task, PositionRange{0, 1}, 0);
-    ranges.give_to(one, actions);
+    ranges.forget_totals();
+    filler.fill(one, actions);
     EXPECT_EQ(last<SendUnit>().positions, (PositionRange{100, 100}));
     EXPECT_FALSE(ranges.would_take(one, job_));
 }
@@ -29,7 +30,7 @@ TEST_F(RangeSending, TheRestIsDividedInTwoSharesForEachWorker) {
     join(1);
     join(2, 3);
     job_.unsent.add({{0, 80}}, 0);
-    ranges.give(actions);
+    filler.give_ranges(actions);
     EXPECT_EQ(std::get<SendUnit>(actions.at(0)).positions.count(), 10u);
     EXPECT_EQ(std::get<SendUnit>(actions.at(1)).positions.count(),
               26u); // 3/4 of the other 70, halved.
@@ -67,7 +68,7 @@ TEST_F(RangeSending, JobsTakeTurnsAndTheReservedWorkerIsSpared) {
     DispatchJob& other = open("earliest-finish", 2, 2);
     job_.unsent.add({{0, 5}}, 0);
     other.unsent.add({{0, 5}}, 0);
-    ranges.give(actions);
+    filler.give_ranges(actions);
     ASSERT_EQ(actions.size(), 2u);
     EXPECT_EQ(std::get<SendUnit>(actions[0]).job, job_.id);
     EXPECT_EQ(std::get<SendUnit>(actions[1]).job, other.id);

@@ -28,7 +28,7 @@ TEST(WorkQueue, AScenarioIsUnsentUntilItLeavesForATask) {
     EXPECT_EQ(job.waiting, (Queue{0, 1, 2}));
     EXPECT_EQ(stage.queue.unsent(), 3u);
     job.waiting.clear();
-    stage.queue.leave(3);
+    stage.queue.leave(job, 3);
     stage.queue.put_back_sent(job, std::vector<std::uint64_t>{1, 2});
     EXPECT_EQ(job.waiting, (Queue{1, 2}));
     EXPECT_EQ(stage.queue.unsent(), 2u);

@@ -20,7 +20,7 @@ namespace {
 constexpr double bytes = limits::wide_block_bytes_per_triangle;
 constexpr double wanted = limits::block_bytes_wanted;
 
-ObbTree make_tree(Mesh mesh) {
+ObbTree tree_of_mesh(Mesh mesh) {
     ThreadPool pool(1);
     BuildOptions options;
     options.prepare_search = false;
@@ -40,7 +40,7 @@ std::vector<CutSize> even_cuts(double triangles) {
 }
 
 TEST(DepthChoice, SizesAreThoseOfTheCuts) {
-    const ObbTree tree = make_tree(make_torus(1, 0.4, 60, 30));
+    const ObbTree tree = tree_of_mesh(make_torus(1, 0.4, 60, 30));
     const auto sizes = cut_sizes(tree);
     ASSERT_GT(sizes.size(), 5u);
     for (std::uint32_t depth = 0; depth < sizes.size(); ++depth) {
@@ -56,7 +56,7 @@ TEST(DepthChoice, SizesAreThoseOfTheCuts) {
 }
 
 TEST(DepthChoice, ATreeThatEndsIsNotCutDeeper) {
-    const ObbTree tree = make_tree(make_box({1, 1, 1}));
+    const ObbTree tree = tree_of_mesh(make_box({1, 1, 1}));
     const auto sizes = cut_sizes(tree);
     EXPECT_LE(sizes.size(), 5u);
     EXPECT_EQ(sizes.back().roots, cut_tree(tree, 20).root_count());
@@ -65,7 +65,7 @@ TEST(DepthChoice, ATreeThatEndsIsNotCutDeeper) {
 
 TEST(DepthChoice, SmallMeshesAreOneBlock) {
     for (const int subdivisions : {0, 2, 4}) {
-        EXPECT_EQ(choose_depth(make_tree(make_sphere(subdivisions)), SubtreeForm::Wide), 0u);
+        EXPECT_EQ(choose_depth(tree_of_mesh(make_sphere(subdivisions)), SubtreeForm::Wide), 0u);
     }
     EXPECT_EQ(choose_depth(even_cuts(wanted / bytes), bytes), 0u);
     EXPECT_EQ(choose_depth(even_cuts(wanted / bytes + 1), bytes), 1u);
@@ -75,7 +75,7 @@ TEST(DepthChoice, ALargerMeshIsNotCutLess) {
     std::uint32_t before = 0;
     for (int subdivisions = 0; subdivisions <= 7; ++subdivisions) {
         const std::uint32_t depth =
-            choose_depth(make_tree(make_sphere(subdivisions)), SubtreeForm::Wide);
+            choose_depth(tree_of_mesh(make_sphere(subdivisions)), SubtreeForm::Wide);
         EXPECT_GE(depth, before) << subdivisions;
         before = depth;
     }

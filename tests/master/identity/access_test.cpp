@@ -73,6 +73,17 @@ TEST_F(AccessOfRoles, AJobIsEndedByItsOwnerAndByAnAdmin) {
     EXPECT_TRUE(plain.check_owner("you@there")) << "who is here may all";
 }
 
+TEST_F(AccessOfRoles, AnAdminSubmitsAtAPriorityAboveZero) {
+    EXPECT_TRUE(of(CertifiedRole::Submitter).check_priority(0));
+    EXPECT_TRUE(of(CertifiedRole::Submitter).check_priority(-10));
+    const Status refused = of(CertifiedRole::Submitter).check_priority(1);
+    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+    EXPECT_NE(refused.error().detail.find("priority 1 needs the role admin"), std::string::npos);
+    EXPECT_NE(refused.error().detail.find("'someone' is a submitter"), std::string::npos);
+    EXPECT_TRUE(of(CertifiedRole::Admin).check_priority(10));
+    EXPECT_TRUE(Access().check_priority(10)) << "without TLS";
+}
+
 TEST_F(AccessOfRoles, AnAdminSendsWorkersAwayAndRemovesMeshes) {
     for (const Message& message : {Message{DrainWorkers{}}, Message{RemoveMesh{}}}) {
         EXPECT_FALSE(of(CertifiedRole::Submitter).check(message));

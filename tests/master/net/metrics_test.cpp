@@ -15,7 +15,7 @@ ClusterStatus make_status() {
     status.build = "1.2.3";
     status.uptime_seconds = 12.5;
     status.alarm_count = 2;
-    status.workers_lost = 3;
+    status.losses.workers_lost = 3;
     WorkerStatus good;
     good.worker = WorkerId{4};
     good.name = "blade \"3\"\n";

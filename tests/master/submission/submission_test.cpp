@@ -94,6 +94,17 @@ TEST(Submission, OfManyBodiesHasStoredMeshesAndDepthsOfItsBodies) {
                 HasSubstr("more distribution depths than bodies"));
 }
 
+TEST(Submission, HasAPriorityInItsRange) {
+    const Bodies two(2);
+    for (const std::int32_t priority : {-10, 0, 10}) {
+        EXPECT_EQ(two.refusal([&](Submit& job) { job.priority = priority; }), "");
+    }
+    for (const std::int32_t priority : {-11, 11}) {
+        EXPECT_EQ(two.refusal([&](Submit& job) { job.priority = priority; }),
+                  "the priority is " + std::to_string(priority) + " and may be -10 to 10");
+    }
+}
+
 TEST(Submission, OfManyBodiesHasNoGridAndNoMaps) {
     const auto with_grid = [](Submit& job) {
         job.grid = Bytes(3);

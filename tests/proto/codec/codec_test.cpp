@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "27a77c490bda2afc"},
-    {"welcome", 116, "63ad32bf6aa268ad"},
+    {"hello", 95, "20e4e7a3d7f7c3a5"},
+    {"welcome", 116, "15d5ae6273141bbe"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -56,9 +56,9 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
     {"watch", 8, "f0a0278e4372459c"},
-    {"job status", 557, "4f74cc6d3aac9b37"},
+    {"job status", 569, "7ccf0316e4c8e19c"},
     {"status query", 0, "e3b0c44298fc1c14"},
-    {"cluster status", 1001, "cdf56ec3cc6b5dab"},
+    {"cluster status", 1066, "f0ff7947fdab30be"},
     {"results query", 32, "73e200e2b048c86d"},
     {"results part", 106, "152ae6c9b2d9f303"},
     {"cancel", 17, "6450d3157de527b9"},

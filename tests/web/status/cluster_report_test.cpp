@@ -131,6 +131,38 @@ TEST_F(Status, NamesGeometryOnItsWay) {
     EXPECT_THAT(bottleneck(), HasSubstr("2.0 MiB/s"));
 }
 
+TEST_F(Status, AJobTellsItsPriorityAndShare) {
+    after_.jobs[0].turn.priority = -7;
+    after_.jobs[0].turn.share = 0.25;
+    const Table table = jobs_table(after_);
+    EXPECT_THAT(format_table(table, "text"), HasSubstr("PRIO"));
+    EXPECT_THAT(format_table(table, "text"), testing::ContainsRegex("-7 +25 %"));
+    EXPECT_THAT(format_table(table, "csv"), HasSubstr(",-7,0.25,"));
+    const auto json = nlohmann::json::parse(format_table(table, "json"));
+    EXPECT_EQ(json[0]["priority"], -7);
+    EXPECT_EQ(json[0]["share"], 0.25);
+}
+
+TEST_F(Status, SaysHowMuchMoreWorkersWouldHelp) {
+    EXPECT_THAT(status_text(before_, after_), Not(HasSubstr("more workers")));
+    EXPECT_TRUE(nlohmann::json::parse(status_json(before_, after_))["more_workers"].is_null());
+    after_.growth = Growth{160, {{1, 150}, {2, 140}}, {40, 100}};
+    EXPECT_THAT(status_text(before_, after_),
+                HasSubstr("\nmore workers: 40 more: 1.6 times as fast (100 s left instead of "
+                          "160 s)\nbottleneck: "));
+    const auto json = nlohmann::json::parse(status_json(before_, after_))["more_workers"];
+    EXPECT_EQ(json["seconds"], 160);
+    EXPECT_EQ(json["worth"]["workers"], 40);
+    EXPECT_EQ(json["worth"]["times"], 1.6);
+    ASSERT_EQ(json["more"].size(), 2u);
+    EXPECT_EQ(json["more"][1]["workers"], 2);
+    EXPECT_EQ(json["more"][1]["seconds"], 140);
+    after_.growth->worth = {0, 160};
+    EXPECT_THAT(status_text(before_, after_),
+                HasSubstr("more workers: none would be used well; 160 s are left, with 1 more "
+                          "150 s\n"));
+}
+
 TEST_F(Status, EndsWithTheBottleneck) {
     const std::string text = status_text(before_, after_);
     EXPECT_THAT(text, HasSubstr("1000/s"));
@@ -148,9 +180,9 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosWithdrawnResultsAndAlarms) {
     after_.workers[1].state = WorkerState::Lost;
     after_.workers[1].working = 0;
     after_.workers[0].state = WorkerState::Silent;
-    after_.workers_lost = 1;
-    after_.scenarios_given_back = 40;
-    after_.sessions_resumed = 3;
+    after_.losses.workers_lost = 1;
+    after_.losses.scenarios_given_back = 40;
+    after_.losses.sessions_resumed = 3;
     after_.alarms = {"results differ"};
     after_.alarm_count = 25;
     after_.jobs[0].long_scenarios = {{17, WorkerId{7}, "node-7", 75}};

@@ -74,7 +74,7 @@ TEST(JobIds, LastIsTheNewestJobOfItsOwner) {
     std::vector<JobStatus> jobs(3);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         jobs[i].job = JobId{i + 1};
-        jobs[i].owner = i == 2 ? "uri" : "ilan";
+        jobs[i].turn.owner = i == 2 ? "uri" : "ilan";
     }
     EXPECT_EQ(find_job("last", jobs, "ilan").value(), JobId{2});
     EXPECT_EQ(find_job("last", jobs, "uri").value(), JobId{3});

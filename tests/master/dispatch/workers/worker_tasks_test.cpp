@@ -40,7 +40,8 @@ TEST(WorkerTasks, AClaimLastsAsLongAsItsTask) {
     EXPECT_EQ(tasks.left(), 10u);
     EXPECT_EQ(tasks.find(batch), nullptr);
     EXPECT_EQ(tasks.sent(), 2u);
-    EXPECT_EQ(tasks.last_job(), JobId{2});
+    EXPECT_EQ(tasks.left_of(JobId{2}), 10u);
+    EXPECT_EQ(tasks.left_of(JobId{1}), 0u);
 }
 
 TEST(WorkerTasks, CopiedPositionsRemainCopiedAfterOthersAreAnswered) {

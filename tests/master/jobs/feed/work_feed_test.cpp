@@ -13,13 +13,14 @@ using testing::IsEmpty;
 class WorkFeedTest : public PartsStage {
   protected:
     /// Opens a job of many blocks of scenarios, in none of which the bodies meet.
-    MasterJob& open_large() {
+    MasterJob& open_large(std::int32_t priority = 0) {
         Grid grid;
         grid.position = {GridAxis{100, 200, 2000}, GridAxis{0, 0, 1}, GridAxis{0, 0, 1}};
         Submit submit = submission(AnalysisMode::Always);
         submit.grid = encode_grid(grid);
         submit.scenarios = grid.count();
         submit.poses.kind = PosesKind::Grid;
+        submit.priority = priority;
         return open(submit, std::make_shared<OrderedPoses>(grid));
     }
     [[nodiscard]] static bool is_fed(const MasterJob& job) {
@@ -69,6 +70,25 @@ TEST_F(WorkFeedTest, JobsAreAnalysedInTurnWhileThePoolHasRoom) {
     work_.feed();
     EXPECT_EQ(first.work()->analyses_under_way(), 2u) << "the pool has enough to do";
     released->count_down();
+}
+
+TEST_F(WorkFeedTest, AHigherPriorityIsAnalysedFirst) {
+    MasterJob& low = open_large(-1);
+    MasterJob& high = open_large(1);
+    const auto released = occupy(compute);
+    work_.feed();
+    EXPECT_EQ(low.work()->analyses_under_way(), 0u);
+    EXPECT_EQ(high.work()->analyses_under_way(), 4u);
+    released->count_down();
+}
+
+TEST_F(WorkFeedTest, TheJobOfWhichLessWasAnalysedComesFirst) {
+    MasterJob& first = open_large();
+    MasterJob& second = open_large();
+    state.dispatch->analysis_took(first.id, 1000, 0);
+    EXPECT_TRUE(state.dispatch.view().is_analysed_before(second.id, first.id));
+    state.dispatch->analysis_took(second.id, 10, 1.5);
+    EXPECT_TRUE(state.dispatch.view().is_analysed_before(first.id, second.id));
 }
 
 TEST_F(WorkFeedTest, AJobThatWaitsForTheDiskIsFedWhenItsStepIsRepeated) {
