@@ -214,6 +214,15 @@ class Verbs {
         config.add("--tree-cache", config->given["tree-cache"], "DIR|off", "As in other verbs");
         add_output(*config, config->output, {"text", "json"});
 
+        auto doctor = add<DoctorCommand>("doctor", doctor_help);
+        add_master_options(*doctor, doctor->master);
+        doctor.add("--http",
+                   doctor->http,
+                   "ADDRESS|none",
+                   "The master's --http HOST:PORT (port 7680 on its host)");
+        add_tree_cache(*doctor, doctor->tree_cache);
+        add_output(*doctor, doctor->output, {"text", "json"});
+
         auto completion = add<CompletionCommand>("completion", completion_help);
         completion.add("shell", completion->shell, "SHELL", "The shell")
             ->required()

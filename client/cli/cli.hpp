@@ -273,6 +273,14 @@ struct ConfigCommand {
     std::string output = "text"; ///< text, json
 };
 
+/// The verb `doctor`, which looks for what is wrong here and with a cluster.
+struct DoctorCommand {
+    MasterOptions master;
+    std::string http;               ///< HOST:PORT, or "none"; empty: the master's host, port 7680.
+    std::string tree_cache = "off"; ///< A folder, or off.
+    std::string output = "text";    ///< text, json
+};
+
 struct CompletionCommand {
     std::string shell; ///< bash, zsh, fish
 };
@@ -307,6 +315,7 @@ using Command = std::variant<RunCommand,
                              InspectCommand,
                              VersionCommand,
                              ConfigCommand,
+                             DoctorCommand,
                              CompletionCommand,
                              CompleteCommand>;
 

@@ -198,6 +198,19 @@ Paths may begin with ~/, or else at the file's folder. An option precedes the en
 (CDCTL_MASTER, CDCTL_CREDENTIAL, CDCTL_TREE_CACHE), which precedes the file; a job file precedes
 the file's formats and level. CDCTL_CONFIG names another file, or none.)";
 
+inline constexpr const char* doctor_help =
+    R"(Looks for what is wrong on this machine and with a cluster.
+Examples:
+  cdctl doctor
+  cdctl doctor --master node-1:7600
+  cdctl doctor --master node-1:7600 --http node-1:7680
+
+It prints a line for each thing: ok, warn or FAIL. The versions of the workers, the ports at which
+they serve each other, and the size of the master's disk are read from the master's HTTP port
+(cdmaster --http); without it these are left out.
+
+Exit codes: 0 nothing failed; 1 a line says FAIL.)";
+
 inline constexpr const char* completion_help =
     R"(Prints a script that completes verbs, options, files and job ids in a shell.
 Examples:
