@@ -112,5 +112,6 @@ function(cd_add_test name folder label)
     add_executable(${name} ${sources})
     cd_unity(${name})
     target_link_libraries(${name} PRIVATE ${ARGN} cd_test_support GTest::gtest_main GTest::gmock)
-    gtest_discover_tests(${name} PROPERTIES LABELS ${label} DISCOVERY_MODE PRE_TEST)
+    # Tests do not heed the configuration of the user who runs them.
+    gtest_discover_tests(${name} PROPERTIES LABELS ${label} ENVIRONMENT CDCTL_CONFIG=none DISCOVERY_MODE PRE_TEST)
 endfunction()

@@ -6,8 +6,9 @@
 namespace cd {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_contacts = 1; ///< Contacts found (--fail-on), or differences (verify).
-inline constexpr int exit_usage = 2;    ///< Wrong usage or input.
+inline constexpr int exit_contacts =
+    1; ///< Contacts found (--fail-on), differences (verify), a fault (doctor).
+inline constexpr int exit_usage = 2; ///< Wrong usage or input.
 inline constexpr int exit_incomplete = 3;
 inline constexpr int exit_unreachable = 4;
 inline constexpr int exit_refused = 5;

@@ -5,6 +5,9 @@
 #include "client/cli/cli_mistakes.hpp"
 #include "client/cli/cli_options.hpp"
 #include "client/cli/completion.hpp"
+#include "client/cli/help_formatter.hpp"
+#include "client/cli/settings.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/build_info.hpp"
 #include "common/core/host/man_page.hpp"
 #include "common/core/limits/engine.hpp"
@@ -22,28 +25,6 @@
 namespace cd {
 
 namespace {
-
-/// Formats help with the examples first. In an app's description, the first line says what the verb
-/// does, and the others are its examples.
-class ExamplesFirst final : public CLI::Formatter {
-  public:
-    std::string make_description(const CLI::App* app) const override {
-        const std::string text = app->get_description();
-        const auto end = text.find('\n');
-        if (end == std::string::npos) {
-            return text + "\n\n";
-        }
-        return text.substr(end + 1) + "\n\n" + text.substr(0, end) + "\n\n";
-    }
-
-    std::string make_subcommand(const CLI::App* verb) const override {
-        const std::string text = verb->get_description();
-        std::ostringstream out;
-        CLI::detail::format_help(
-            out, verb->get_name(), text.substr(0, text.find('\n')), get_column_width());
-        return out.str();
-    }
-};
 
 /// Parses verbs into commands.
 class Verbs {
@@ -239,6 +220,24 @@ class Verbs {
         auto version = add<VersionCommand>("version", version_help);
         add_output(*version, version->output, {"text", "json"});
 
+        auto config = add<ConfigCommand>("config", config_help);
+        config.add("--master", config->given["master"], "ADDRESS", "As in other verbs");
+        config.add("--credential", config->given["credential"], "FILE|none", "As in other verbs");
+        config.add("--formats", config->given["formats"], "LIST", "As in other verbs");
+        config.add("--level", config->given["level"], "LEVEL", "As in other verbs")
+            ->check(one_of({asked_levels.begin(), asked_levels.end()}));
+        config.add("--tree-cache", config->given["tree-cache"], "DIR|off", "As in other verbs");
+        add_output(*config, config->output, {"text", "json"});
+
+        auto doctor = add<DoctorCommand>("doctor", doctor_help);
+        add_master_options(*doctor, doctor->master);
+        doctor.add("--http",
+                   doctor->http,
+                   "ADDRESS|none",
+                   "The master's --http HOST:PORT (port 7680 on its host)");
+        add_tree_cache(*doctor, doctor->tree_cache);
+        add_output(*doctor, doctor->output, {"text", "json"});
+
         auto completion = add<CompletionCommand>("completion", completion_help);
         completion.add("shell", completion->shell, "SHELL", "The shell")
             ->required()
@@ -366,7 +365,7 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
         return {std::nullopt, *answer, exit_done};
     }
     CLI::App app(main_help, "cdctl");
-    app.formatter(std::make_shared<ExamplesFirst>());
+    app.formatter(make_help_formatter());
     app.get_formatter()->column_width(34);
     app.set_version_flag("--version",
                          version_text("cdctl", to_text(simd_target()), false),
@@ -385,15 +384,28 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
                 man_page(app, 1, "finds every contact of two triangle meshes"),
                 exit_done};
     }
+    const Result<Settings> settings = read_settings();
     if (arguments.front() == "complete") {
-        return {complete_words(app, std::span(arguments).subspan(1)), "", exit_done};
+        Command complete = complete_words(app, std::span(arguments).subspan(1));
+        give_usual_values(settings ? settings.value() : Settings(), complete);
+        return {std::move(complete), "", exit_done};
     }
     try {
+        if (settings) {
+            set_defaults(app, settings.value());
+        }
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
         return refused(app, error, arguments);
     }
-    return {verbs.take(), "", exit_done};
+    if (!settings) { // Help and wrong usage have been told above.
+        return {std::nullopt, "cdctl: " + settings.error().detail + "\n", exit_usage};
+    }
+    CommandLine line{verbs.take(), "", exit_done};
+    if (line.command) {
+        give_usual_values(settings.value(), *line.command);
+    }
+    return line;
 }
 
 } // namespace cd

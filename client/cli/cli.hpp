@@ -6,6 +6,7 @@
 #include "common/pair/triangle_pair.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -124,6 +125,8 @@ struct ResultsCommand {
     bool quiet = false;
     bool statistics = false;
     std::string output = "text"; ///< Format for stdout if `out` is empty: text, json or csv.
+    /// Formats of a job's results if `formats` is empty; empty: the job's own.
+    std::vector<std::string> usual_formats;
 };
 
 struct VerifyCommand {
@@ -253,6 +256,33 @@ struct VersionCommand {
     std::string output = "text"; ///< text, json
 };
 
+/// Where the value of a setting comes from.
+enum class SettingOrigin : std::uint8_t { Default, File, Environment, Option };
+
+struct ChosenSetting {
+    std::string key;
+    std::string value;
+    SettingOrigin origin = SettingOrigin::Default;
+    std::string place; ///< FILE:LINE, the variable or the option; empty for a default.
+};
+
+/// The verb `config`, which shows the user's settings.
+struct ConfigCommand {
+    std::map<std::string, std::string> given; ///< Values of options by key; empty: not given.
+    std::vector<ChosenSetting> settings;
+    std::string file; ///< Path of the configuration file; empty: none is read.
+    bool file_exists = false;
+    std::string output = "text"; ///< text, json
+};
+
+/// The verb `doctor`, which looks for what is wrong here and with a cluster.
+struct DoctorCommand {
+    MasterOptions master;
+    std::string http;               ///< HOST:PORT, or "none"; empty: the master's host, port 7680.
+    std::string tree_cache = "off"; ///< A folder, or off.
+    std::string output = "text";    ///< text, json
+};
+
 struct CompletionCommand {
     std::string shell; ///< bash, zsh, fish
 };
@@ -262,7 +292,7 @@ struct CompleteCommand {
     std::vector<std::string> words;
     bool has_files = false;               ///< The word may also be a file or folder.
     std::optional<std::string> job_begin; ///< Set: the word may also be a job that begins so.
-    MasterOptions master;                 ///< As the line names it; empty: not named.
+    MasterOptions master;                 ///< That a verb on this line would use.
 };
 
 using Command = std::variant<RunCommand,
@@ -286,6 +316,8 @@ using Command = std::variant<RunCommand,
                              TokenCommand,
                              InspectCommand,
                              VersionCommand,
+                             ConfigCommand,
+                             DoctorCommand,
                              CompletionCommand,
                              CompleteCommand>;
 

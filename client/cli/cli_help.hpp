@@ -182,6 +182,37 @@ inline constexpr const char* version_help =
 Examples:
   cdctl version -o json)";
 
+inline constexpr const char* config_help =
+    R"(Shows the user's settings, and where each comes from.
+Examples:
+  cdctl config
+  cdctl config -o json
+  mkdir -p ~/.config/cdcluster
+  echo 'master = "node-1:7600"' >> ~/.config/cdcluster/cdctl.toml
+
+The file has these keys, each with the meaning of the option of its name:
+  master      "node-1:7600"; then `run` uses this master, too, and --master here uses none
+  credential  a file, or "none"
+  formats     ["csv", "npz"]: what jobs and results have whose job file does not say
+  level       "pairs": what jobs ask that do not say; kinds of jobs without it ask for pairs
+  tree-cache  a folder, or "off"
+Paths may begin with ~/, or else at the file's folder. An option precedes the environment
+(CDCTL_MASTER, CDCTL_CREDENTIAL, CDCTL_TREE_CACHE), which precedes the file; a job file precedes
+the file's formats and level. CDCTL_CONFIG names another file, or none.)";
+
+inline constexpr const char* doctor_help =
+    R"(Looks for what is wrong on this machine and with a cluster.
+Examples:
+  cdctl doctor
+  cdctl doctor --master node-1:7600
+  cdctl doctor --master node-1:7600 --http node-1:7680
+
+It prints a line for each thing: ok, warn or FAIL. The versions of the workers, the ports at which
+they serve each other, and the size of the master's disk are read from the master's HTTP port
+(cdmaster --http); without it these are left out.
+
+Exit codes: 0 nothing failed; 1 a line says FAIL.)";
+
 inline constexpr const char* completion_help =
     R"(Prints a script that completes verbs, options, files and job ids in a shell.
 Examples:

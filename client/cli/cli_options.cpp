@@ -17,7 +17,6 @@ namespace cd {
 namespace {
 
 constexpr const char* results_group = "Results";
-constexpr const char* loopback_master = "127.0.0.1:7600";
 
 std::vector<std::string> words_of(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
@@ -142,9 +141,16 @@ void add_run(CLI::App& verb, const char* name, std::string& run, const char* typ
 void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here) {
     const auto add = option_adder(verb);
     master.address = required_here ? loopback_master : "";
-    auto* address = add("--master", master.address, "ADDRESS", "The master's HOST:PORT");
+    auto* address = add("--master",
+                        master.address,
+                        "ADDRESS",
+                        required_here ? "The master's HOST:PORT"
+                                      : "The master's HOST:PORT; here: this machine alone");
     if (required_here) {
         address->envname("CDCTL_MASTER")->capture_default_str();
+    } else {
+        address->transform(
+            [](const std::string& text) { return text == this_machine ? std::string() : text; });
     }
     verb.add_flag("--insecure", master.insecure, "Allow a master beyond loopback, unencrypted");
     add("--credential", master.credential, "FILE|none", "What is shown to it; else what `join` got")

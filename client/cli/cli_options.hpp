@@ -12,6 +12,11 @@
 
 namespace cd {
 
+/// The default of --master.
+inline constexpr const char* loopback_master = "127.0.0.1:7600";
+/// The value of --master with which `run` uses no master, whatever the configuration file says.
+inline constexpr const char* this_machine = "here";
+
 /// Returns a function that adds an option to a verb; the help calls its value `type`.
 [[nodiscard]] inline auto option_adder(CLI::App& verb) {
     return [&verb](const char* names, auto& value, const char* type, const std::string& help) {
@@ -30,7 +35,7 @@ void add_job(CLI::App& verb, std::string& job);
 /// Adds the required argument `name` that names a results folder or a job on the master.
 void add_run(CLI::App& verb, const char* name, std::string& run, const char* type);
 /// Adds `--master`, `--insecure` and `--credential`. `required_here` says that the verb needs a
-/// master; then the address has a default.
+/// master; then the address has a default. Otherwise the word `this_machine` gives an empty one.
 void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here = true);
 /// Adds `--threads`.
 CLI::Option* add_threads(CLI::App& verb, unsigned& threads, const char* help);

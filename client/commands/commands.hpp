@@ -29,6 +29,8 @@ namespace cd {
 [[nodiscard]] Result<int> perform(const TokenCommand& command);
 [[nodiscard]] Result<int> perform(const InspectCommand& command);
 [[nodiscard]] Result<int> perform(const VersionCommand& command);
+[[nodiscard]] Result<int> perform(const ConfigCommand& command);
+[[nodiscard]] Result<int> perform(const DoctorCommand& command);
 [[nodiscard]] Result<int> perform(const CompletionCommand& command);
 [[nodiscard]] Result<int> perform(const CompleteCommand& command);
 

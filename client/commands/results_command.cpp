@@ -37,11 +37,15 @@ Result<int> results_of_job(const ResultsCommand& command) {
     OutputSpec& output = job.prepared().spec.output;
     output.dir = command.out;
     output.exact_points = command.exact_points;
-    output.formats = command.formats.empty() ? output.formats : command.formats;
+    const Query& query = job.prepared().query;
+    const MapUse use{query.level, query.maps, job.prepared().scene.has_value()};
+    if (command.formats.empty()) {
+        take_usual_formats(command.usual_formats, use, output.formats);
+    } else {
+        output.formats = command.formats;
+    }
     if (!command.out.empty()) {
-        const Query& query = job.prepared().query;
-        CD_TRY(check_map_formats(output.formats,
-                                 {query.level, query.maps, job.prepared().scene.has_value()}));
+        CD_TRY(check_map_formats(output.formats, use));
     }
     const bool prints = command.out.empty() && command.output == "text";
     const auto report =

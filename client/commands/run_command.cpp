@@ -215,7 +215,8 @@ Result<int> run_job(const RunCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     const bool here = command.master.address.empty();
     if (command.host.first_stage && !here) {
-        return bad_input("--first-stage is for a run on this machine alone");
+        return bad_input("--first-stage is for a run on this machine alone; --master here asks for "
+                         "one");
     }
     CD_TRY(command.host.simd.empty() ? check_simd_environment()
                                      : force_simd_target(command.host.simd));

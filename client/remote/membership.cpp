@@ -87,16 +87,26 @@ client_tls(const MasterOptions& options, const Endpoint& master, const std::stop
     return Tls::make(next.value());
 }
 
+Result<std::optional<Identity>> own_identity(const MasterOptions& options, const Endpoint& master) {
+    const std::filesystem::path path = client_credential_path(options, master);
+    if (path.empty()) {
+        return std::optional<Identity>();
+    }
+    const Result<Credential> credential = read_credential(path);
+    if (!credential) {
+        const bool is_optional = options.credential.empty();
+        return is_optional && credential.error().code == ErrorCode::NotFound
+                   ? Result<std::optional<Identity>>(std::optional<Identity>())
+                   : Result<std::optional<Identity>>(credential.error());
+    }
+    auto identity = CD_TRY(read_identity(credential.value().certificate));
+    return std::optional<Identity>(std::move(identity));
+}
+
 std::optional<std::chrono::system_clock::time_point> renewal_time(const MasterOptions& options,
                                                                   const Endpoint& master) {
-    const std::filesystem::path path = client_credential_path(options, master);
-    const Result<Credential> credential =
-        path.empty() ? Error{ErrorCode::NotFound, ""} : read_credential(path);
-    if (!credential) {
-        return std::nullopt;
-    }
-    const auto identity = read_identity(credential.value().certificate);
-    return identity ? std::optional(renew_at(identity.value())) : std::nullopt;
+    const auto identity = own_identity(options, master);
+    return identity && identity.value() ? std::optional(renew_at(*identity.value())) : std::nullopt;
 }
 
 Result<Identity> join_as_client(const Endpoint& master,

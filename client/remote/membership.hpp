@@ -25,6 +25,11 @@ namespace cd {
 [[nodiscard]] Result<std::shared_ptr<const Tls>>
 client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop = {});
 
+/// Returns the holder and validity in the user's credential for this master; nothing if the options
+/// say "none", or if they name no credential and the user has none. Errors: as `read_credential`.
+[[nodiscard]] Result<std::optional<Identity>> own_identity(const MasterOptions& options,
+                                                           const Endpoint& master);
+
 /// Returns when the credential for this master is due for renewal; nothing without a credential.
 [[nodiscard]] std::optional<std::chrono::system_clock::time_point>
 renewal_time(const MasterOptions& options, const Endpoint& master);

@@ -1,15 +1,19 @@
 #include "client/spec/job_options.hpp"
 
 #include "client/base/units.hpp"
+#include "client/formats/output_file.hpp"
 #include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -79,6 +83,28 @@ Result<JobSpec> spec_without_file(const JobOptions& options) {
     spec.poses = std::move(poses);
     spec.name = spec.bodies[0].path.stem().string() + "-" + spec.bodies[1].path.stem().string();
     return spec;
+}
+
+/// A job, and whether its file has the keys for which the user may have usual values.
+struct ReadJob {
+    struct Written {
+        bool level = false;
+        bool formats = false;
+    };
+    JobSpec spec;
+    Written written;
+};
+
+Result<ReadJob> without_file(const JobOptions& options) {
+    auto spec = CD_TRY(spec_without_file(options));
+    return ReadJob{std::move(spec), {}};
+}
+
+Result<ReadJob> from_file(const std::filesystem::path& path) {
+    const std::string text = CD_TRY(read_file(path));
+    auto spec = CD_TRY(parse_job(text, path));
+    const toml::table job = toml::parse(text); // It has just been parsed without an error.
+    return ReadJob{std::move(spec), {bool(job["query"]["level"]), bool(job["output"]["formats"])}};
 }
 
 template <class T>
@@ -254,13 +280,36 @@ Status check_no_inputs(const JobOptions& options) {
                                  : Status(Done{});
 }
 
+void take_usual_formats(const std::vector<std::string>& usual,
+                        const MapUse& use,
+                        std::vector<std::string>& formats) {
+    std::vector<std::string> usable = usual;
+    std::erase_if(usable, [&](const std::string& format) {
+        return !check_map_formats(std::span(&format, 1), use);
+    });
+    keep_each_once(usable);
+    formats = usable.empty() ? formats : std::move(usable);
+}
+
 Result<JobSpec> make_job_spec(const JobOptions& options) {
     if (Status none = check_no_inputs(options); !options.file.empty() && !none) {
         return none.error();
     }
-    auto spec =
-        CD_TRY(options.file.empty() ? spec_without_file(options) : read_job_file(options.file));
-    CD_TRY(apply(options, spec));
+    const auto [read, written] =
+        CD_TRY(options.file.empty() ? without_file(options) : from_file(options.file));
+    JobSpec spec = read;
+    JobOptions usual = options;
+    usual.query.level =
+        options.query.level.empty() && !written.level ? options.query.usual_level : "";
+    if (usual.query.level.empty() || !apply(usual, spec)) {
+        spec = read;
+        CD_TRY(apply(options, spec));
+    }
+    if (options.output.formats.empty() && !written.formats) {
+        take_usual_formats(options.output.usual_formats,
+                           {spec.query.level, spec.query.maps, spec.scene.has_value()},
+                           spec.output.formats);
+    }
     return spec;
 }
 

@@ -32,6 +32,8 @@ struct QueryOptions {
     bool maps = false;
     std::optional<double> clearance;
     std::optional<double> up_to;
+    /// The level of a job that neither `level` nor its file gives one, if it can be asked so.
+    std::string usual_level;
 };
 
 /// Options that override a job file's table [output].
@@ -39,6 +41,8 @@ struct OutputOptions {
     std::string dir;
     std::vector<std::string> formats;
     bool exact_points = false;
+    /// The formats of a job that neither `formats` nor its file gives any, as far as it has them.
+    std::vector<std::string> usual_formats;
 };
 
 /// Options that override a job file's table [cluster].
@@ -78,6 +82,11 @@ struct JobOptions {
 
 /// Applies to `spec` the options that override a job file. Errors: BadInput naming the option.
 [[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
+
+/// Replaces `formats` by those of `usual` that a run with this map use can have, if there are any.
+void take_usual_formats(const std::vector<std::string>& usual,
+                        const MapUse& use,
+                        std::vector<std::string>& formats);
 
 /// Makes a job from options. Errors: as `read_job_file`; BadInput naming the option.
 [[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);

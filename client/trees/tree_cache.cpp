@@ -84,6 +84,15 @@ void keep_within(const fs::path& folder,
     }
 }
 
+std::uint64_t kept_tree_bytes(const fs::path& folder) {
+    std::uint64_t bytes = 0;
+    for (const KeptFile& file :
+         kept_files(folder, std::array{binary_suffix, wide_suffix, points_suffix})) {
+        bytes += file.bytes;
+    }
+    return bytes;
+}
+
 std::string default_tree_cache() {
     const std::optional<fs::path> cache = own_cache_dir();
     return cache ? (*cache / "trees").string() : no_tree_cache;

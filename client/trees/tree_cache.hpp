@@ -35,6 +35,9 @@ void keep_within(const std::filesystem::path& folder,
                  std::uint64_t bytes_max,
                  const std::filesystem::path& newest);
 
+/// Returns the size of the trees that are kept in a folder.
+[[nodiscard]] std::uint64_t kept_tree_bytes(const std::filesystem::path& folder);
+
 /// The form of a tree: binary as in the paper, or wide (16 children a node), which searches
 /// use.
 enum class TreeForm : std::uint8_t { Binary, Wide };

@@ -21,9 +21,10 @@ using InstanceId = std::uint64_t;
 /// A session of a worker as the author of results.
 struct Author {
     InstanceId process = 0;
-    WorkerId worker;    ///< 0: the session is from before a restart of the master.
-    std::string name;   ///< Empty for a session from before a restart, like `holder`.
-    std::string holder; ///< Holder of the worker's certificate; empty without one.
+    WorkerId worker;        ///< 0: the session is from before a restart of the master.
+    std::string name;       ///< Empty for a session from before a restart, like `holder`.
+    std::string holder;     ///< Holder of the worker's certificate; empty without one.
+    std::string build = {}; ///< Version of the worker's program; empty like `name`.
 
     /// For example "sim-7 (w-3, certified as sim)".
     [[nodiscard]] std::string to_text() const {

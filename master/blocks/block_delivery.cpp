@@ -142,6 +142,14 @@ void BlockDelivery::tree_removed(TreeId tree) {
     act(director_.tree_removed(tree, parts_.loop.now()));
 }
 
+std::optional<BlockDelivery::PeerPort> BlockDelivery::peer_port_of(WorkerId worker) const {
+    const auto link = links_.find(worker);
+    if (link == links_.end() || link->second.port == 0) {
+        return std::nullopt;
+    }
+    return PeerPort{link->second.port, !director_.is_avoided(worker)};
+}
+
 BlockDelivery::Sent BlockDelivery::sent_to(WorkerId worker) const {
     const auto link = links_.find(worker);
     return link == links_.end() ? Sent{} : link->second.sent;

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -67,6 +68,13 @@ class BlockDelivery {
         std::uint64_t bytes = 0; ///< Compressed bytes.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
+    /// The port at which a worker serves others.
+    struct PeerPort {
+        std::uint16_t port = 0;
+        bool is_reachable = true; ///< False: it is not named as a source any more.
+    };
+    /// Empty if the worker serves no peers.
+    [[nodiscard]] std::optional<PeerPort> peer_port_of(WorkerId worker) const;
     /// Blocks that a connected worker has reported as held. Empty if it serves no peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);

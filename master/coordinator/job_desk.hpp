@@ -65,6 +65,8 @@ class JobDesk {
     [[nodiscard]] Explainer explainer() const;
     /// Errors: NotFound; Refused for the triangles of a job that is not done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(const ContactMapQuery& query) const;
+    /// What was handed to the journal since the master started.
+    [[nodiscard]] const JournalWriter::Counts& written() const { return state_.writer.counts(); }
     /// Disk error because of which the journal cannot write now; empty if it can.
     [[nodiscard]] const std::string& paused() const { return state_.writer.paused(); }
 

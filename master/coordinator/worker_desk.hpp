@@ -8,6 +8,7 @@
 #include "proto/messages/work_messages.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 
 namespace cd {
@@ -52,6 +53,10 @@ class WorkerDesk : public WorkerEvents {
     void worker_left(WorkerId worker) override;
     [[nodiscard]] WorkerStatus work_of(WorkerId worker) const override;
 
+    /// The port at which the worker serves others; empty if it serves none, or is not here.
+    [[nodiscard]] std::optional<BlockDelivery::PeerPort> peer_port_of(WorkerId worker) const {
+        return state_.blocks.peer_port_of(worker);
+    }
     /// True while a timer runs that checks for silent workers and stragglers.
     [[nodiscard]] bool is_watching() const { return is_watching_; }
     /// Blocks that other workers may fetch from this worker. Empty if it is disconnected or has not

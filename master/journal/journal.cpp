@@ -47,6 +47,7 @@ class DiskJournal final : public Journal {
     std::uint64_t add(JournalEntry entry) override;
     [[nodiscard]] std::uint64_t queued_bytes() const override { return queued_bytes_; }
     [[nodiscard]] Result<JobRecord> job(JobId job) const override;
+    [[nodiscard]] CommitTimes::Counts commit_times() const override { return times_.counts(); }
 
   private:
     void run();
@@ -73,6 +74,7 @@ class DiskJournal final : public Journal {
     std::condition_variable changed_;
     Queue queue_;
     std::atomic<std::uint64_t> queued_bytes_ = 0;
+    CommitTimes times_;
 
     std::uint64_t committed_ = 0; ///< Only the journal's thread uses it.
     std::thread thread_;
@@ -90,8 +92,10 @@ Status DiskJournal::write(const std::vector<JournalEntry>& group) {
 bool DiskJournal::write_until_done(const std::vector<JournalEntry>& group) {
     std::string told;
     for (;;) {
+        const auto begin = SteadyClock::now();
         const Status status = write(group);
         if (status) {
+            times_.add(SteadyClock::now() - begin);
             if (!told.empty()) {
                 log_info("journal resumed");
                 events_.paused("");

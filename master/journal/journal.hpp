@@ -3,6 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "master/journal/alarm_record.hpp"
+#include "master/journal/commit_times.hpp"
 #include "master/journal/job_map.hpp"
 #include "master/journal/journal_records.hpp"
 #include "master/journal/result_group.hpp"
@@ -126,6 +127,10 @@ class Journal {
     virtual std::uint64_t add(JournalEntry entry) = 0;
     /// Bytes of the records and maps that are queued, that is, not committed yet. Any thread.
     [[nodiscard]] virtual std::uint64_t queued_bytes() const = 0;
+
+    /// Commits since the journal was opened, by their duration. Any thread. A journal that is not
+    /// on disk has none.
+    [[nodiscard]] virtual CommitTimes::Counts commit_times() const { return {}; }
 
     /// Returns an accepted job's record. Blocks for the disk. Any thread. Errors: NotFound; Io.
     [[nodiscard]] virtual Result<JobRecord> job(JobId job) const = 0;

@@ -38,7 +38,9 @@ void JournalWriter::write(JournalEntry entry) {
         ledger_.withdraw(add->job, add->withdrawn);
         for (const JournalResult& result : add->results) {
             ledger_.write(add->job, result.row.scenario, position);
+            counts_.bytes += result.record.size();
         }
+        counts_.results += add->results.size();
     } else if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
         ledger_.open_job(accept->job.id);
         promise = JobAccepted{accept->job.id};

@@ -58,6 +58,13 @@ class JournalWriter {
     /// Drops all pending acknowledgements to the worker.
     void forget(WorkerId worker) { ledger_.forget(worker); }
 
+    /// What was handed to the journal since the master started.
+    struct Counts {
+        std::uint64_t results = 0; ///< Results of scenarios, including those withdrawn later.
+        std::uint64_t bytes = 0;   ///< Bytes of their records.
+    };
+    [[nodiscard]] const Counts& counts() const { return counts_; }
+
     /// Error because of which the journal cannot write; empty if it can.
     [[nodiscard]] const std::string& paused() const { return paused_; }
     /// True if the journal can write and its queue has room for more results.
@@ -77,6 +84,7 @@ class JournalWriter {
     Events events_;
     Ledger ledger_;
     std::uint64_t written_ = 0; ///< Journal position of the last entry.
+    Counts counts_;
     std::string paused_;
     std::vector<std::function<void()>> waiting_for_room_;
 };

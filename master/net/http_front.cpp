@@ -4,9 +4,9 @@
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/access.hpp"
 #include "master/identity/identity.hpp"
-#include "master/net/metrics.hpp"
 #include "proto/channel/stream.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace cd {
@@ -92,20 +92,44 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
                            const std::string reason = answer.body.substr(0, answer.body.find('\n'));
                            refusals_.log(LogLevel::Warning, "http request refused", peer, reason);
                        }
+                       ++answers_[answer.status];
                        respond(std::move(answer));
                    });
                });
 }
 
-HttpAnswer HttpFront::metrics(const HttpRequest& request, const Access& access) const {
+MasterFigures HttpFront::figures() {
+    MasterFigures figures;
+    figures.written = coordinator_.jobs().written();
+    figures.commits = coordinator_.parts().journal.commit_times();
+    figures.disk_bytes = page_.reader().disk();
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    figures.now = std::chrono::duration<double>(now).count();
+    figures.process = process_figures();
+    figures.http_answers = answers_;
+    if (identity_ != nullptr) {
+        const auto until = identity_->tls()->now->identity()->until.time_since_epoch();
+        figures.certificate_until = std::chrono::duration<double>(until).count();
+    }
+    for (const auto& [id, worker] : coordinator_.workers().all()) {
+        figures.workers.push_back({id,
+                                   worker.author->name,
+                                   worker.author->build,
+                                   coordinator_.worker_desk().peer_port_of(id)});
+    }
+    return figures;
+}
+
+HttpAnswer HttpFront::metrics(const HttpRequest& request, const Access& access) {
     if (is_loopback_ && !page_.is_own_host(request.host)) {
         return {421, "this server is not '" + request.host + "'\n"};
     }
-    const Status allowed = access.check(Message(StatusQuery{}));
-    return allowed ? HttpAnswer{200,
-                                metrics_text(coordinator_.jobs().cluster()),
-                                std::string(metrics_content_type)}
-                   : HttpAnswer{403, allowed.error().detail + "\n"};
+    if (const Status allowed = access.check(Message(StatusQuery{})); !allowed) {
+        return {403, allowed.error().detail + "\n"};
+    }
+    ClusterStatus status;
+    page_.reader().status([&](Result<ClusterStatus> now) { status = std::move(now.value()); });
+    return {200, metrics_text(status, figures()), std::string(metrics_content_type)};
 }
 
 void HttpFront::answer(const HttpRequest& request, const Access& access, HttpRespond respond) {

@@ -3,6 +3,7 @@
 
 #include "common/core/limits/web.hpp"
 #include "common/core/result.hpp"
+#include "master/net/metrics.hpp"
 #include "master/page/master_page.hpp"
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"
@@ -12,6 +13,7 @@
 #include "proto/channel/seats.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,7 +51,8 @@ class HttpFront {
     void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket, Seats::Seat seat);
     void answer(const HttpRequest& request, const Access& access, HttpRespond respond);
-    [[nodiscard]] HttpAnswer metrics(const HttpRequest& request, const Access& access) const;
+    [[nodiscard]] HttpAnswer metrics(const HttpRequest& request, const Access& access);
+    [[nodiscard]] MasterFigures figures();
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
@@ -57,7 +60,8 @@ class HttpFront {
     Seats seats_{limits::http_connections_max}; ///< Connection slots.
     Refusals refusals_;
     MasterPage page_;
-    bool is_loopback_; ///< Only this machine can connect.
+    bool is_loopback_;                          ///< Only this machine can connect.
+    std::map<unsigned, std::uint64_t> answers_; ///< Number of answers by their status code.
 };
 
 } // namespace cd

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace cd {
@@ -33,6 +34,20 @@ class Page {
         } else {
             metric.gauge.value = value;
         }
+        families_.back().metric.push_back(std::move(metric));
+    }
+    void
+    histogram(const std::string& name, const std::string& help, const CommitTimes::Counts& of) {
+        family(MetricType::Histogram, name, help);
+        ClientMetric metric;
+        for (std::size_t i = 0; i < of.commits.size(); ++i) {
+            metric.histogram.sample_count += of.commits[i];
+            const bool is_last = i == CommitTimes::bounds.size();
+            metric.histogram.bucket.push_back(
+                {metric.histogram.sample_count,
+                 is_last ? std::numeric_limits<double>::infinity() : CommitTimes::bounds[i]});
+        }
+        metric.histogram.sample_sum = of.seconds;
         families_.back().metric.push_back(std::move(metric));
     }
     template <class Number>
@@ -171,10 +186,81 @@ void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
     });
 }
 
+void add_writing(Page& page, const StateSizes& sizes, const MasterFigures& figures) {
+    page.one(counter,
+             "scenarios_total",
+             "Scenarios whose result was handed to the journal; a withdrawn result counts, too.",
+             figures.written.results);
+    page.one(counter, "results_bytes_total", "Bytes of these results.", figures.written.bytes);
+    page.histogram("journal_commit_seconds",
+                   "Time of a commit of the journal, until it is on the disk.",
+                   figures.commits);
+    if (figures.disk_bytes != 0) {
+        page.one(gauge,
+                 "state_free_bytes",
+                 "Room on the file system of the state directory.",
+                 sizes.free);
+        page.one(gauge,
+                 "state_total_bytes",
+                 "Size of the file system of the state directory.",
+                 figures.disk_bytes);
+    }
+    if (figures.certificate_until) {
+        page.one(gauge,
+                 "certificate_expires_timestamp_seconds",
+                 "End of the master's certificate, which it renews before.",
+                 *figures.certificate_until);
+    }
+    page.one(gauge, "time_seconds", "The master's clock, in seconds since 1970.", figures.now);
+    page.family(counter, "http_requests_total", "HTTP requests answered, by status code.");
+    for (const auto& [code, number] : figures.http_answers) {
+        page.add(number, {{"code", std::to_string(code)}});
+    }
+}
+
+/// The names are those of Prometheus' own libraries, after the prefix.
+void add_process(Page& page, const ProcessFigures& process, double cpu_seconds) {
+    const auto add = [&](MetricType type, const char* name, const char* help, auto number) {
+        page.one(type, std::string("process_") + name, help, number);
+    };
+    add(counter, "cpu_seconds_total", "Processor time, user and system.", cpu_seconds);
+    add(gauge, "start_time_seconds", "Start, in seconds since 1970.", process.started);
+    add(gauge, "resident_memory_bytes", "Memory in use.", process.resident_bytes);
+    add(gauge, "virtual_memory_bytes", "Memory that is mapped.", process.virtual_bytes);
+    add(gauge, "threads", "Threads of the process.", process.threads);
+    add(gauge, "open_fds", "Open file descriptors.", process.open_files);
+    add(gauge, "max_fds", "Most file descriptors that may be open.", process.open_files_max);
+}
+
+void add_worker_figures(Page& page, const std::vector<WorkerFigures>& workers) {
+    const auto labels = [](const WorkerFigures& worker) {
+        return Labels{{"worker", std::to_string(worker.worker.value)}, {"name", worker.name}};
+    };
+    page.family(gauge, "worker_info", "1; the label is the version of the worker's program.");
+    for (const WorkerFigures& worker : workers) {
+        Labels all = labels(worker);
+        all.push_back({"version", worker.build});
+        page.add(1, std::move(all));
+    }
+    page.family(gauge,
+                "worker_peer_reachable",
+                "0 if others cannot reach the port at which the worker serves geometry.");
+    for (const WorkerFigures& worker : workers) {
+        if (worker.peers) {
+            Labels all = labels(worker);
+            all.push_back({"port", std::to_string(worker.peers->port)});
+            page.add(worker.peers->is_reachable ? 1 : 0, std::move(all));
+        }
+    }
+}
+
 } // namespace
 
-std::string metrics_text(const ClusterStatus& status) {
+std::string metrics_text(const ClusterStatus& status, const MasterFigures& figures) {
     Page page;
+    add_writing(page, status.sizes, figures);
+    add_process(page, figures.process, status.cpu_seconds);
+    add_worker_figures(page, figures.workers);
     add_master(page, status);
     add_workers(page, status.workers);
     add_jobs(page, status.jobs);

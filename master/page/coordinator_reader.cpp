@@ -31,6 +31,7 @@ RecordReader reader_of(JobId job, std::uint64_t scenarios, std::shared_ptr<Resul
 
 struct CoordinatorReader::Sizes {
     StateSizes now;
+    std::uint64_t disk = 0; ///< Size of the file system.
     std::chrono::steady_clock::time_point measured;
     bool is_measuring = false;
 };
@@ -50,8 +51,10 @@ void CoordinatorReader::measure() {
     const auto state = coordinator_.parts().directory.parent_path();
     coordinator_.parts().blocking.post([sizes = sizes_, state, &loop = coordinator_.parts().loop] {
         const StateSizes measured = measure_state(state);
-        loop.post([sizes, measured] {
+        const std::uint64_t disk = disk_bytes(state);
+        loop.post([sizes, measured, disk] {
             sizes->now = measured;
+            sizes->disk = disk;
             sizes->is_measuring = false;
         });
     });
@@ -62,6 +65,10 @@ void CoordinatorReader::status(Take<ClusterStatus> take) {
     ClusterStatus status = coordinator_.jobs().cluster();
     status.sizes = sizes_->now;
     take(std::move(status));
+}
+
+std::uint64_t CoordinatorReader::disk() const {
+    return sizes_->disk;
 }
 
 void CoordinatorReader::map(const ContactMapQuery& query, Take<ContactMapAnswer> take) {

@@ -6,6 +6,7 @@
 #include "web/server/cluster/cluster_reader.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -25,6 +26,8 @@ class CoordinatorReader final : public ClusterReader {
     [[nodiscard]] Result<LabelledScenarios> poses(JobId job, const ScenarioChoice& choice) override;
     [[nodiscard]] Result<BodyTrees> trees(const Submit& submit) override;
     [[nodiscard]] Result<std::shared_ptr<HttpBody>> mesh(const Sha256& mesh) override;
+    /// Bytes of the file system that holds the state; 0 before the first measurement.
+    [[nodiscard]] std::uint64_t disk() const;
 
   private:
     /// The sizes on the disk, which a pool measures.

@@ -27,6 +27,8 @@ class MasterPage {
     [[nodiscard]] bool is_own_host(std::string_view host) const {
         return server_.is_own_host(host);
     }
+    /// Reads the cluster as the page does.
+    [[nodiscard]] CoordinatorReader& reader() { return reader_; }
     /// Answers any request, if `access` allows it.
     void answer(const HttpRequest& request, const Access& access, HttpRespond respond);
 

@@ -42,4 +42,10 @@ StateSizes measure_state(const std::filesystem::path& state) {
     return sizes;
 }
 
+std::uint64_t disk_bytes(const std::filesystem::path& state) {
+    std::error_code unknown;
+    const std::filesystem::space_info space = std::filesystem::space(state, unknown);
+    return unknown ? 0 : space.capacity;
+}
+
 } // namespace cd

@@ -77,8 +77,8 @@ void WorkerDirectory::join(const Reception& reception,
     Worker worker;
     worker.channel = std::move(channel);
     worker.key = reception.key;
-    worker.author =
-        std::make_shared<const Author>(Author{process, id, hello.name, reception.holder});
+    worker.author = std::make_shared<const Author>(
+        Author{process, id, hello.name, reception.holder, hello.build});
     worker.threads = std::max(1u, hello.threads);
     worker.instance = hello.instance;
     worker.meter = WorkerMeter(hello.cache_bytes);

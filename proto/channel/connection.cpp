@@ -5,6 +5,7 @@
 #include "proto/channel/channel.hpp"
 #include "proto/channel/deadline.hpp"
 #include "proto/channel/frame.hpp"
+#include "proto/channel/open_socket.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,7 +101,8 @@ asio::awaitable<Error> refuse_plaintext(asio::ip::tcp::socket socket) {
     co_return Error{ErrorCode::Refused, "plaintext at a port of TLS"};
 }
 
-/// Connects to the first address that answers; each attempt has the full timeout.
+} // namespace
+
 asio::awaitable<Result<asio::ip::tcp::socket>> open_socket(Endpoint endpoint,
                                                            std::chrono::seconds timeout) {
     error_code error;
@@ -120,8 +122,6 @@ asio::awaitable<Result<asio::ip::tcp::socket>> open_socket(Endpoint endpoint,
     }
     co_return unreachable(endpoint, why);
 }
-
-} // namespace
 
 asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target,
                                                           std::chrono::seconds timeout) {

@@ -150,8 +150,12 @@ std::string certify(X509* authority, EVP_PKEY* authority_key, EVP_PKEY* key, con
     add_extension(certificate.get(), authority, NID_basic_constraints, "critical,CA:FALSE");
     add_extension(certificate.get(), authority, NID_key_usage, "critical,digitalSignature");
     add_extension(certificate.get(), authority, NID_ext_key_usage, key_usage_of(who.role));
-    add_extension(
-        certificate.get(), authority, NID_subject_alt_name, "URI:" + std::string(role_uri) + role);
+    // Programs that are not ours, such as Prometheus, compare a host's name with a DNS name only.
+    const std::string host = who.role == CertifiedRole::Master ? ",DNS:" + role : "";
+    add_extension(certificate.get(),
+                  authority,
+                  NID_subject_alt_name,
+                  "URI:" + std::string(role_uri) + role + host);
     sign_with(certificate.get(), authority, authority_key);
     return to_pem(certificate.get());
 }
@@ -183,11 +187,19 @@ std::string common_name(X509* certificate) {
 std::optional<CertifiedRole> role_of(const X509* certificate) {
     const Owner<GENERAL_NAMES, GENERAL_NAMES_free> names(static_cast<GENERAL_NAMES*>(
         X509_get_ext_d2i(certificate, NID_subject_alt_name, nullptr, nullptr)));
-    if (names == nullptr || sk_GENERAL_NAME_num(names.get()) != 1) {
-        return std::nullopt;
+    const int count = names == nullptr ? 0 : sk_GENERAL_NAME_num(names.get());
+    const GENERAL_NAME* name = nullptr; // The only URI; a DNS name may stand beside it.
+    for (int i = 0; i < count; ++i) {
+        const GENERAL_NAME* const each = sk_GENERAL_NAME_value(names.get(), i);
+        if (each->type == GEN_DNS) {
+            continue;
+        }
+        if (each->type != GEN_URI || name != nullptr) {
+            return std::nullopt;
+        }
+        name = each;
     }
-    const GENERAL_NAME* const name = sk_GENERAL_NAME_value(names.get(), 0);
-    if (name->type != GEN_URI) {
+    if (name == nullptr) {
         return std::nullopt;
     }
     const ASN1_IA5STRING* const uri = name->d.uniformResourceIdentifier;

@@ -129,7 +129,7 @@ DOORS = {
     r"expat\.h": ["client/poses/fcd_xml.cpp"],
     r"zlib\.h": ["client"],
     r"CLI/": ["common/core/host/daemon_options.cpp", "common/core/host/man_page.cpp", "master/config.cpp", "worker/config.cpp", "client"],
-    r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
+    r"toml\+\+/": ["common/core/host/config_file.cpp", "client"],
     r"nlohmann/": ["client", "web"],
     r"pybind11/": ["python"],
     r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/shots", "common/tree", "common/search/contact_pair"],

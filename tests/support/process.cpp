@@ -40,6 +40,7 @@ Process::Process(const std::vector<std::string>& command, std::filesystem::path 
     arguments.push_back(nullptr);
 
     ::setenv("CDCTL_TREE_CACHE", "off", 0); // Tests leave nothing in the user's cache.
+    ::setenv("CDCTL_CONFIG", "none", 0);    // Nor do they heed the user's settings.
     const std::string errors = output_.string() + ".err";
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);

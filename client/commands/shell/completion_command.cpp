@@ -11,7 +11,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace cd {
@@ -24,24 +23,6 @@ void end_after(std::chrono::milliseconds limit) {
     itimerval timer{};
     timer.it_value.tv_usec = std::chrono::microseconds(limit).count();
     ::setitimer(ITIMER_REAL, &timer, nullptr);
-}
-
-/// Returns the master that a verb would use with these options, and with the environment.
-MasterOptions with_environment(MasterOptions master) {
-    const auto value_of = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return std::string(value != nullptr ? value : "");
-    };
-    if (master.address.empty()) {
-        master.address = value_of("CDCTL_MASTER");
-    }
-    if (master.address.empty()) {
-        master.address = "127.0.0.1:7600";
-    }
-    if (master.credential.empty()) {
-        master.credential = value_of("CDCTL_CREDENTIAL");
-    }
-    return master;
 }
 
 } // namespace
@@ -64,7 +45,7 @@ Result<int> perform(const CompleteCommand& command) {
         return exit_done;
     }
     end_after(timing::completion_max);
-    const Result<ConnectedCluster> cluster = open_cluster(with_environment(command.master));
+    const Result<ConnectedCluster> cluster = open_cluster(command.master);
     if (cluster) {
         const std::vector<JobId> ids = ids_of(cluster.value().status.jobs);
         for (const JobId id : ids) {

@@ -1,31 +1,19 @@
 #include "common/core/host/daemon_options.hpp"
 
+#include "common/core/host/config_file.hpp"
+
 #include <CLI/CLI.hpp>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 namespace cd {
 
 namespace {
-
-std::string text_of(const std::string& key, const toml::node& value) {
-    if (const auto* text = value.as_string()) {
-        return text->get();
-    }
-    if (const auto* number = value.as_integer()) {
-        return std::to_string(number->get());
-    }
-    if (const auto* truth = value.as_boolean()) {
-        return truth->get() ? "true" : "false";
-    }
-    throw CLI::ConfigError("line " + std::to_string(value.source().begin.line) + ": '" + key +
-                           "' is neither text, a whole number, nor true or false");
-}
 
 class TomlConfig final : public CLI::Config {
   public:
@@ -39,18 +27,16 @@ class TomlConfig final : public CLI::Config {
     }
 
     std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-        toml::table table;
-        try {
-            table = toml::parse(input);
-        } catch (const toml::parse_error& error) {
-            throw CLI::ConfigError("line " + std::to_string(error.source().begin.line) + ": " +
-                                   std::string(error.description()));
+        const std::string text(std::istreambuf_iterator<char>(input), {});
+        Result<std::vector<ConfigEntry>> entries = parse_config(text, "line ");
+        if (!entries) {
+            throw CLI::ConfigError(entries.error().detail);
         }
         std::vector<CLI::ConfigItem> found;
-        for (const auto& [key, value] : table) {
+        for (ConfigEntry& entry : entries.value()) {
             CLI::ConfigItem item;
-            item.name = std::string(key.str());
-            item.inputs = {text_of(item.name, value)};
+            item.name = std::move(entry.key);
+            item.inputs = std::move(entry.values);
             // Skips an option that the environment sets, because CLI11 would prefer the file.
             if (std::getenv(environment_name(prefix_, item.name).c_str()) == nullptr) {
                 found.push_back(std::move(item));

@@ -9,6 +9,8 @@ namespace cd::limits {
 // HTTP.
 inline constexpr std::size_t http_piece_bytes = 256u << 10; ///< Bytes of a body written at a time.
 
+/// A page that is read whole, such as /metrics of a master with thousands of workers.
+inline constexpr std::uint64_t http_page_bytes_max = 64u << 20;
 inline constexpr std::size_t http_connections_max = 256; ///< Of the master's --http port.
 
 // Arrays of the page.

@@ -27,6 +27,12 @@ inline constexpr std::chrono::seconds record_flush_period{5};
 inline constexpr std::chrono::seconds answer_timeout{30};
 /// While someone types a command line, cdctl asks the master for job ids for at most this time.
 inline constexpr std::chrono::milliseconds completion_max{300};
+/// `cdctl doctor` waits this long for each step of reading the master's HTTP port.
+inline constexpr std::chrono::seconds doctor_http_max{2};
+/// `cdctl doctor` warns of a certificate that ends sooner.
+inline constexpr std::chrono::hours doctor_certificate_left_min{24};
+/// `cdctl doctor` warns of clocks that differ by more. `clock_difference_max` breaks connections.
+inline constexpr std::chrono::seconds doctor_clock_difference_max{30};
 /// cdctl waits this long for the master to store a mesh or to accept a job.
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600};
 /// `cdctl watch` asks for the cluster's status once the job's status is unchanged for this long.

@@ -76,7 +76,7 @@ TEST(Completion, TheMasterIsTheOneThatTheLineNames) {
     EXPECT_EQ(named.master.address, "node-1:7600");
     EXPECT_EQ(named.master.credential, "me.pem");
     EXPECT_TRUE(named.master.insecure);
-    EXPECT_EQ(completed({"watch", "j-"}).master.address, "");
+    EXPECT_EQ(completed({"watch", "j-"}).master.address, "127.0.0.1:7600");
 }
 
 TEST(Completion, AnUnknownShellIsRefused) {

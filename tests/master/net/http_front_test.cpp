@@ -115,6 +115,18 @@ TEST_F(HttpPages, HealthReadinessAndMetricsAreServed) {
     EXPECT_THAT(metrics, HasSubstr("\ncdcluster_jobs{state=\"done\"} 1\n"));
     EXPECT_THAT(metrics, HasSubstr("\ncdcluster_workers{state=\"alive\"} 1\n"));
     EXPECT_THAT(metrics, HasSubstr("Content-Length: "));
+    const std::string scenarios = std::to_string(reference().scenarios.size());
+    EXPECT_THAT(metrics, HasSubstr("\ncdcluster_scenarios_total " + scenarios + "\n"));
+    EXPECT_THAT(metrics, Not(HasSubstr("\ncdcluster_results_bytes_total 0\n")));
+    EXPECT_THAT(metrics, Not(HasSubstr("\ncdcluster_journal_commit_seconds_count 0\n")));
+    EXPECT_THAT(metrics, HasSubstr("\ncdcluster_http_requests_total{code=\"200\"} 2\n"));
+    EXPECT_THAT(get("/nowhere"), StartsWith("HTTP/1.1 404 "));
+    EXPECT_THAT(get("/metrics"), HasSubstr("\ncdcluster_http_requests_total{code=\"404\"} 1\n"));
+    std::string measured; // The disk is measured meanwhile.
+    while (measured.find("\ncdcluster_state_free_bytes ") == std::string::npos) {
+        measured = get("/metrics");
+    }
+    EXPECT_THAT(measured, HasSubstr("\ncdcluster_state_total_bytes "));
 }
 
 TEST(HttpPagesOfAPausedJob, ReadinessIsRefusedWithTheReasonOfThePause) {
@@ -219,7 +231,13 @@ TEST(SecuredHttpPages, MetricsNeedARoleThatMaySeeTheCluster) {
     }
     EXPECT_THAT(get(tls_of(CertifiedRole::Worker), "/metrics"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get(tls_of(CertifiedRole::Metrics), "/metrics"), StartsWith("HTTP/1.1 200 "));
-    EXPECT_THAT(get(tls_of(CertifiedRole::Admin), "/metrics"), StartsWith("HTTP/1.1 200 "));
+    const std::string metrics = get(tls_of(CertifiedRole::Admin), "/metrics");
+    EXPECT_THAT(metrics, StartsWith("HTTP/1.1 200 "));
+    const auto until = identity->tls()->now->identity()->until.time_since_epoch();
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(until).count();
+    EXPECT_THAT(
+        metrics,
+        HasSubstr("\ncdcluster_certificate_expires_timestamp_seconds " + std::to_string(seconds)));
     const auto other = make_front(master, identity.get());
     const Logged logged;
     EXPECT_THAT(Asking(master, other->port(), nullptr, request_for("/healthz")).answer(),

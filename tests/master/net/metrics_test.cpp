@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <fstream>
+
 namespace cd::tests {
 namespace {
 
@@ -41,7 +44,7 @@ ClusterStatus make_status() {
 }
 
 TEST(Metrics, TheMetricsHaveTheNumbersOfTheStatus) {
-    const std::string text = metrics_text(make_status());
+    const std::string text = metrics_text(make_status(), {});
     for (const char* const line :
          {"# TYPE cdcluster_alarms_total counter\n",
           "# HELP cdcluster_alarms_total Alarms raised; each needs an operator's attention.\n",
@@ -66,8 +69,77 @@ TEST(Metrics, TheMetricsHaveTheNumbersOfTheStatus) {
     EXPECT_THAT(text, Not(HasSubstr("job=\"7\""))) << "it does not run";
 }
 
+MasterFigures make_figures() {
+    MasterFigures figures;
+    figures.written = {900, 12345};
+    figures.commits.commits = {5, 0, 2, 0, 0, 0, 0, 0, 0, 1};
+    figures.commits.seconds = 11.5;
+    figures.disk_bytes = 4000;
+    figures.certificate_until = 1'800'000'000;
+    figures.now = 1'700'000'500.5;
+    figures.process.started = 1'700'000'000.25;
+    figures.process.open_files = 17;
+    figures.http_answers = {{200, 40}, {404, 2}};
+    figures.workers = {{WorkerId{4}, "blade", "0.2.0", BlockDelivery::PeerPort{4021, false}},
+                       {WorkerId{5}, "saw", "0.1.0", std::nullopt}};
+    return figures;
+}
+
+TEST(Metrics, TheMetricsHaveTheFiguresOfTheMaster) {
+    ClusterStatus status = make_status();
+    status.sizes.free = 1000;
+    status.cpu_seconds = 3.5;
+    const std::string text = metrics_text(status, make_figures());
+    for (const char* const line :
+         {"# TYPE cdcluster_scenarios_total counter\n",
+          "\ncdcluster_scenarios_total 900\n",
+          "\ncdcluster_results_bytes_total 12345\n",
+          "# TYPE cdcluster_journal_commit_seconds histogram\n",
+          "\ncdcluster_journal_commit_seconds_count 8\n",
+          "\ncdcluster_journal_commit_seconds_sum 11.5\n",
+          "\ncdcluster_journal_commit_seconds_bucket{le=\"0.001\"} 5\n",
+          "\ncdcluster_journal_commit_seconds_bucket{le=\"0.01\"} 7\n",
+          "\ncdcluster_journal_commit_seconds_bucket{le=\"10\"} 7\n",
+          "\ncdcluster_journal_commit_seconds_bucket{le=\"+Inf\"} 8\n",
+          "\ncdcluster_state_free_bytes 1000\n",
+          "\ncdcluster_state_total_bytes 4000\n",
+          "\ncdcluster_certificate_expires_timestamp_seconds 1800000000\n",
+          "\ncdcluster_http_requests_total{code=\"200\"} 40\n",
+          "\ncdcluster_http_requests_total{code=\"404\"} 2\n",
+          "\ncdcluster_process_cpu_seconds_total 3.5\n",
+          "\ncdcluster_process_start_time_seconds 1700000000.25\n",
+          "\ncdcluster_process_open_fds 17\n",
+          "\ncdcluster_time_seconds 1700000500.5\n",
+          "\ncdcluster_worker_info{worker=\"5\",name=\"saw\",version=\"0.1.0\"} 1\n",
+          "\ncdcluster_worker_peer_reachable{worker=\"4\",name=\"blade\",port=\"4021\"} 0\n"}) {
+        EXPECT_THAT(text, HasSubstr(line));
+    }
+    EXPECT_THAT(text, Not(HasSubstr("peer_reachable{worker=\"5\""))) << "it serves no others";
+}
+
+TEST(Metrics, WhatIsUnknownIsLeftOut) {
+    const std::string text = metrics_text({}, {});
+    EXPECT_THAT(text, Not(HasSubstr("state_free_bytes")));
+    EXPECT_THAT(text, Not(HasSubstr("certificate_expires")));
+}
+
+TEST(Metrics, AProcessTellsItsOwnFigures) {
+    const ProcessFigures figures = process_figures();
+    const double now =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    EXPECT_GT(figures.started, now - 24 * 3600.0);
+    EXPECT_LE(figures.started, now + 1);
+    EXPECT_GT(figures.resident_bytes, 1u << 20);
+    EXPECT_GT(figures.virtual_bytes, figures.resident_bytes);
+    EXPECT_GE(figures.threads, 1u);
+    EXPECT_GE(figures.open_files, 3u);
+    EXPECT_GE(figures.open_files_max, figures.open_files);
+    const std::ifstream one_more("/proc/self/stat");
+    EXPECT_EQ(process_figures().open_files, figures.open_files + 1);
+}
+
 TEST(Metrics, AnEmptyClusterHasAPage) {
-    const std::string text = metrics_text({});
+    const std::string text = metrics_text({}, {});
     EXPECT_THAT(text, HasSubstr("\ncdcluster_workers{state=\"alive\"} 0\n"));
     EXPECT_EQ(text.back(), '\n');
 }

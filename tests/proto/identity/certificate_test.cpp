@@ -5,6 +5,8 @@
 #include "common/core/limits/wire.hpp"
 
 #include <gtest/gtest.h>
+#include <openssl/pem.h>
+#include <openssl/x509v3.h>
 
 #include <string>
 #include <vector>
@@ -42,6 +44,28 @@ TEST(Certificate, SaysWhatItWasSignedToSay) {
         EXPECT_EQ(said.value().until, asked.until);
         EXPECT_EQ(certified_role_from_text(to_text(role)), role);
     }
+}
+
+/// Whether programs that are not ours take the certificate for that of this host: these compare
+/// only DNS names, not the holder's name.
+bool is_of_host(const std::string& certificate, const char* host) {
+    BIO* const bio = BIO_new_mem_buf(certificate.data(), static_cast<int>(certificate.size()));
+    X509* const read = PEM_read_bio_X509(bio, nullptr, nullptr, nullptr);
+    const int found = X509_check_host(read, host, 0, X509_CHECK_FLAG_NEVER_CHECK_SUBJECT, nullptr);
+    X509_free(read);
+    BIO_free(bio);
+    return found == 1;
+}
+
+TEST(Certificate, OnlyAMastersIsThatOfTheHostMaster) {
+    const auto authority = CertificateAuthority::make(this_second());
+    const auto issued = [&](CertifiedRole role) {
+        return authority.issue({role, "master", this_second(), this_second() + 1h}).certificate;
+    };
+    EXPECT_TRUE(is_of_host(issued(CertifiedRole::Master), "master"));
+    EXPECT_FALSE(is_of_host(issued(CertifiedRole::Master), "blade-3"));
+    EXPECT_FALSE(is_of_host(issued(CertifiedRole::Worker), "master"));
+    EXPECT_FALSE(is_of_host(issued(CertifiedRole::Admin), "master"));
 }
 
 TEST(Certificate, AnAuthorityIsReadBackWithItsKeyAlone) {
