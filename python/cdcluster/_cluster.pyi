@@ -1,0 +1,46 @@
+import os
+from collections.abc import Iterator, Mapping
+from typing import Any, Literal, NamedTuple, overload
+
+from numpy.typing import ArrayLike
+
+from ._job import Job as Job
+from ._mesh import Body
+from ._question import Ignore, Order, Question as Question, pose_rows as pose_rows
+from ._results import Results as Results
+
+_Path = str | os.PathLike[str]
+
+class Progress(NamedTuple):
+    done: int
+    total: int
+    rate: float
+    state: str
+    seconds: float
+    reason: str
+
+class ClusterJob:
+    id: str
+    number: int
+    name: str
+    owner: str
+    def __init__(self, cluster: Any, facts: Any) -> None: ...
+    def progress(self) -> Progress: ...
+    def watch(self, period: float = ...) -> Iterator[Progress]: ...
+    def results(self, *, partial: bool = ...) -> Results: ...
+    def cancel(self) -> Progress: ...
+
+class Cluster:
+    address: str
+    def __init__(self, address: str | None = ..., *, credential: _Path | None = ..., insecure: bool = ...,
+                 tree_cache: _Path | None = ...) -> None: ...
+    @overload
+    def submit(self, a: _Path | Job | Mapping[str, Any], *, folder: _Path = ...) -> ClusterJob: ...
+    @overload
+    def submit(self, a: Body, b: Body, poses: ArrayLike,
+               level: Literal["any", "count", "pairs", "contacts", "distance"] = ..., *,
+               quat_order: Order | None = ..., name: str = ..., clearance: float | None = ...,
+               up_to: float | None = ..., limit_pairs: int = ..., maps: bool = ...,
+               ignore: Ignore = ...) -> ClusterJob: ...
+    def jobs(self) -> list[ClusterJob]: ...
+    def job(self, id: str | int) -> ClusterJob: ...
