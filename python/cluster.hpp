@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
+#include "client/job/prepared_job.hpp"
 #include "client/remote/connection.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cdcluster {
@@ -74,7 +76,7 @@ class Cluster {
     /// `partial` is not set.
     [[nodiscard]] Results
     results(const std::string& id, bool partial, const cd::StopCheck& stop) const;
-    /// Fetches a job into a folder, as `cdctl results --out` does. Errors: as the error of that.
+    /// Fetches a job into a folder, as `cdctl results --out` does. Errors: as those of `FetchedJob`.
     void save(const std::string& id,
               const std::filesystem::path& folder,
               bool overwrite,

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from . import _native
 from ._job import Job
+from ._native import InputError
 from ._question import Question, pose_rows
 from ._results import Results
 
@@ -94,7 +95,8 @@ class Cluster:
         self._cluster = _native.Cluster(self.address, credential, insecure, cache)
         self._cluster.jobs()  # A wrong address or credential is told now.
 
-    def submit(self, a, b=None, poses=None, level="pairs", *, quat_order=None, name="", folder=".", **query):
+    def submit(self, a, b=None, poses=None, level="pairs", *, quat_order=None, clearance=None, up_to=None,
+               limit_pairs=0, maps=False, ignore=(), name="", folder="."):
         """Submits a question about two meshes, or a job: its file's path, a dict of tables, or a `Job`.
 
         `cluster.submit(a, b, poses, level="count", maps=True)` takes the arguments of `contacts`, and at level
@@ -102,10 +104,12 @@ class Cluster:
         paths of a dict are those in `folder`.
         """
         if b is None and poses is None:
-            if query or quat_order or name or level != "pairs":
-                raise _native.InputError("a job's level, name and query are in its tables")
+            asked = (level, quat_order, clearance, up_to, limit_pairs, maps, tuple(ignore), name)
+            if asked != ("pairs", None, None, None, 0, False, (), ""):
+                raise InputError("a job's name and query are in its tables")
             return ClusterJob(self._cluster, self._cluster.submit_job(Job.of(a, folder)._job))
-        question = Question(a, b, level, **query)
+        question = Question(a, b, level, clearance=clearance, up_to=up_to, limit_pairs=limit_pairs, maps=maps,
+                            ignore=ignore)
         rows, form = pose_rows(poses, quat_order)
         facts = self._cluster.submit_pair(question.a, question.b, rows, form, question.query, name)
         return ClusterJob(self._cluster, facts)

@@ -1,11 +1,12 @@
 import os
 from collections.abc import Iterator, Mapping
-from typing import Any, Literal, NamedTuple, overload
+from typing import Any, Literal, NamedTuple
 
 from numpy.typing import ArrayLike
 
 from ._job import Job as Job
 from ._mesh import Body
+from ._native import InputError as InputError
 from ._question import Ignore, Order, Question as Question, pose_rows as pose_rows
 from ._results import Results as Results
 
@@ -34,13 +35,10 @@ class Cluster:
     address: str
     def __init__(self, address: str | None = ..., *, credential: _Path | None = ..., insecure: bool = ...,
                  tree_cache: _Path | None = ...) -> None: ...
-    @overload
-    def submit(self, a: _Path | Job | Mapping[str, Any], *, folder: _Path = ...) -> ClusterJob: ...
-    @overload
-    def submit(self, a: Body, b: Body, poses: ArrayLike,
+    def submit(self, a: Body | Job | Mapping[str, Any], b: Body | None = ..., poses: ArrayLike | None = ...,
                level: Literal["any", "count", "pairs", "contacts", "distance"] = ..., *,
-               quat_order: Order | None = ..., name: str = ..., clearance: float | None = ...,
-               up_to: float | None = ..., limit_pairs: int = ..., maps: bool = ...,
-               ignore: Ignore = ...) -> ClusterJob: ...
+               quat_order: Order | None = ..., clearance: float | None = ..., up_to: float | None = ...,
+               limit_pairs: int = ..., maps: bool = ..., ignore: Ignore = ..., name: str = ...,
+               folder: _Path = ...) -> ClusterJob: ...
     def jobs(self) -> list[ClusterJob]: ...
     def job(self, id: str | int) -> ClusterJob: ...
