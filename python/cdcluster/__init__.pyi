@@ -6,9 +6,9 @@ from numpy.typing import ArrayLike
 
 from ._cluster import Cluster as Cluster, ClusterJob as ClusterJob, Progress as Progress
 from ._job import Job as Job
-from ._mesh import Body as _Body, CopyWarning as CopyWarning, Mesh as Mesh
+from ._mesh import _Body as _Body, CopyWarning as CopyWarning, Mesh as Mesh
 from ._native import IncompleteError as IncompleteError, InputError as InputError, RefusedError as RefusedError, Unreachable as Unreachable
-from ._question import Ignore as _Ignore, LEVELS as LEVELS, Level as _Level, Order as _Order, Question as Question, pose_rows as pose_rows
+from ._question import _Ignore as _Ignore, LEVELS as LEVELS, _Level as _Level, _Order as _Order, Question as Question, pose_rows as pose_rows
 from ._results import Results as Results
 
 __all__ = [

@@ -5,9 +5,9 @@ from typing import Any, Literal, NamedTuple
 from numpy.typing import ArrayLike
 
 from ._job import Job as Job
-from ._mesh import Body
+from ._mesh import _Body
 from ._native import InputError as InputError
-from ._question import Ignore, Order, Question as Question, pose_rows as pose_rows
+from ._question import _Ignore, _Order, Question as Question, pose_rows as pose_rows
 from ._results import Results as Results
 
 _Path = str | os.PathLike[str]
@@ -35,10 +35,10 @@ class Cluster:
     address: str
     def __init__(self, address: str | None = ..., *, credential: _Path | None = ..., insecure: bool = ...,
                  tree_cache: _Path | None = ...) -> None: ...
-    def submit(self, a: Body | Job | Mapping[str, Any], b: Body | None = ..., poses: ArrayLike | None = ...,
+    def submit(self, a: _Body | Job | Mapping[str, Any], b: _Body | None = ..., poses: ArrayLike | None = ...,
                level: Literal["any", "count", "pairs", "contacts", "distance"] = ..., *,
-               quat_order: Order | None = ..., clearance: float | None = ..., up_to: float | None = ...,
-               limit_pairs: int = ..., maps: bool = ..., ignore: Ignore = ..., name: str = ...,
+               quat_order: _Order | None = ..., clearance: float | None = ..., up_to: float | None = ...,
+               limit_pairs: int = ..., maps: bool = ..., ignore: _Ignore = ..., name: str = ...,
                folder: _Path = ...) -> ClusterJob: ...
     def jobs(self) -> list[ClusterJob]: ...
     def job(self, id: str | int) -> ClusterJob: ...
