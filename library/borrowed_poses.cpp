@@ -23,8 +23,8 @@ cd::PoseLayout layout_of(PoseForm form) {
 
 } // namespace
 
-BorrowedPoses::BorrowedPoses(const Poses& poses)
-    : poses_(poses), layout_(layout_of(poses.form)), size_(cd::numbers_of(layout_)) {
+BorrowedPoses::BorrowedPoses(const Poses& poses, std::uint64_t first)
+    : poses_(poses), first_(first), layout_(layout_of(poses.form)), size_(cd::numbers_of(layout_)) {
     if (poses.numbers.empty() || poses.numbers.size() % size_ != 0) {
         throw Error(ErrorCode::BadInput,
                     "poses have " + std::to_string(poses.numbers.size()) +
@@ -37,17 +37,17 @@ BorrowedPoses::BorrowedPoses(const Poses& poses)
 }
 
 std::string BorrowedPoses::place_of(std::uint64_t scenario) const {
-    return "row " + std::to_string(scenario);
+    return "row " + std::to_string(first_ + scenario);
 }
 
-cd::Result<cd::Scenario> BorrowedPoses::at(std::uint64_t scenario) const {
-    const auto numbers = poses_.numbers.subspan(scenario * size_, size_);
+cd::Result<cd::Scenario> BorrowedPoses::at(std::uint64_t row) const {
+    const auto numbers = poses_.numbers.subspan(row * size_, size_);
     auto pose = cd::checked_pose(numbers, layout_);
     if (!pose) {
-        return cd::bad_input("poses, " + place_of(scenario) + ": " + pose.error().detail);
+        return cd::bad_input("poses, " + place_of(row) + ": " + pose.error().detail);
     }
     cd::Scenario made;
-    made.index = scenario;
+    made.index = first_ + row;
     made.poses.b = pose.value();
     return made;
 }

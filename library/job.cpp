@@ -1,17 +1,22 @@
 #include "client/folder/folder_run.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/job/prepared_job.hpp"
+#include "client/local/local_report.hpp"
 #include "client/local/local_run.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/trees/tree_cache.hpp"
-#include "common/core/words.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "common/job/poses/poses_hash.hpp"
 #include "library/call_clock.hpp"
 #include "library/errors.hpp"
+#include "library/kept_run.hpp"
 #include "library/result_arrays.hpp"
 
 #include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace cdcluster {
 
@@ -22,20 +27,6 @@ struct Job::State {
 };
 
 namespace {
-
-/// Returns the numbers of triangles of A and of B. Scenes, which may have more, have no maps.
-std::array<std::size_t, 2>
-triangles_of(const std::vector<std::shared_ptr<const cd::Mesh>>& meshes) {
-    return {meshes.at(0)->triangles().size(), meshes.at(1)->triangles().size()};
-}
-
-std::vector<std::string> names_of(const cd::ExportContext& context) {
-    std::vector<std::string> names;
-    for (const cd::ExportBody& body : context.bodies) {
-        names.push_back(body.name);
-    }
-    return names;
-}
 
 /// Passes the results in a folder on.
 Results read_folder(const std::filesystem::path& folder,
@@ -53,24 +44,23 @@ Results read_folder(const std::filesystem::path& folder,
         run.manifest().outcome.digest, triangles_of(meshes), value_of(run.kept_map()));
 }
 
-cd::PreparedJob prepare(const Job::State& job, const RunOptions& options, cd::ThreadPool& pool) {
+cd::PreparedJob prepare(const Job::State& job,
+                        const RunOptions& options,
+                        cd::ThreadPool& pool,
+                        cd::Trees trees = cd::Trees::Always) {
     cd::TreeCache cache(options.tree_cache);
     if (job.folder.empty()) {
         cd::JobSpec spec = job.spec;
         if (!options.out.empty()) {
             spec.output.dir = options.out;
         }
-        return value_of(cd::prepare_job(std::move(spec), cd::Trees::Always, cache, pool));
+        return value_of(cd::prepare_job(std::move(spec), trees, cache, pool));
     }
     const cd::OpenedRun run = value_of(cd::OpenedRun::open(job.folder));
     cd::JobSpec spec = value_of(run.spec());
     spec.output.dir = options.out;
-    return value_of(cd::prepare_again(run.manifest(),
-                                      value_of(cd::read_inputs(run)),
-                                      std::move(spec),
-                                      cd::Trees::Always,
-                                      cache,
-                                      pool));
+    return value_of(cd::prepare_again(
+        run.manifest(), value_of(cd::read_inputs(run)), std::move(spec), trees, cache, pool));
 }
 
 /// A prepared job that runs, and the call that waits for it.
@@ -79,21 +69,32 @@ class JobRun {
     JobRun(cd::PreparedJob& job, cd::ThreadPool& pool, const RunOptions& options)
         : job_(job), pool_(pool), clock_(options.progress) {}
 
-    /// Passes all results on and keeps none.
-    Results run(const std::function<void(Results&&)>& each_window) {
+    /// Passes all results on. Keeps their records in `kept` unless it is null.
+    Results run(const std::function<void(Results&&)>& each_window, KeptAnswers* kept) {
         const cd::ExportContext context = cd::export_context(job_);
         ResultArrays results(each_window, names_of(context));
         results.number_steps(context.steps);
         if (job_.query.maps) {
-            results.count_maps();
+            results.count_maps(cd::body_part_runs(*job_.meshes[0], *job_.meshes[1]));
         }
         const cd::RunOutcome outcome = value_of(run_all({}, [&](const cd::DoneBlock& block) {
+            if (kept != nullptr) {
+                const auto records = block.records();
+                kept->records.insert(kept->records.end(), records.begin(), records.end());
+            }
             return block.for_each([&](const cd::DoneScenario& done) -> cd::Status {
                 results.add(done.result, done.found);
                 return cd::Done{};
             });
         }));
-        return results.finish(outcome.digest, triangles_of(job_.meshes));
+        const std::optional<cd::ContactMap> map = results.take_map();
+        if (kept != nullptr) {
+            kept->map = map;
+            kept->seconds = outcome.seconds;
+            kept->threads = pool_.size();
+            kept->statistics = outcome.statistics;
+        }
+        return results.finish(outcome.digest, triangles_of(job_.meshes), map);
     }
 
     /// Runs into the job's folder, from where an interrupted run left off.
@@ -113,14 +114,7 @@ class JobRun {
             check(folder.keep());
             throw_error(outcome.error());
         }
-        cd::RunReport report;
-        report.summary = outcome.value().summary;
-        report.query = job_.query;
-        report.digest = outcome.value().digest;
-        report.execution.seconds = outcome.value().seconds;
-        report.execution.statistics = outcome.value().statistics;
-        report.execution.cost = outcome.value().cost;
-        report.execution.where = cd::counted(pool_.size(), "thread");
+        cd::RunReport report = cd::report_of(outcome.value(), job_.query, pool_.size());
         check(folder.finish(report, "text", std::nullopt));
     }
 
@@ -143,6 +137,22 @@ class JobRun {
     cd::ThreadPool& pool_;
     CallClock clock_;
 };
+
+/// Returns the hashes of a job's meshes.
+std::vector<cd::Sha256> hashes_of(const cd::PreparedJob& job) {
+    std::vector<cd::Sha256> hashes;
+    for (const auto& mesh : job.meshes) {
+        hashes.push_back(mesh->hash());
+    }
+    return hashes;
+}
+
+/// Returns the hash of a job's poses if they come from a file; other poses follow from the job's
+/// description and its meshes.
+std::optional<cd::Sha256> file_poses_hash(const cd::PreparedJob& job) {
+    const bool has_file = job.scene || std::holds_alternative<cd::PoseFileSpec>(job.spec.poses);
+    return has_file ? std::optional(value_of(cd::hash_of(*job.poses))) : std::nullopt;
+}
 
 } // namespace
 
@@ -181,11 +191,47 @@ run(const Job& job, const RunOptions& options, const std::function<void(Results&
     cd::PreparedJob prepared = prepare(*job.state(), options, pool);
     JobRun running(prepared, pool, options);
     if (prepared.spec.output.dir.empty()) {
-        return running.run(each_window);
+        return running.run(each_window, nullptr);
     }
     const std::filesystem::path folder = prepared.spec.output.dir;
     running.run_into_folder();
     return read_folder(folder, each_window);
+}
+
+Results run_and_keep(const Job& job, const RunOptions& options, KeptRun& kept) {
+    cd::ThreadPool pool(options.threads);
+    cd::PreparedJob prepared = prepare(*job.state(), options, pool);
+    kept.folder = prepared.spec.output.dir;
+    JobRun running(prepared, pool, options);
+    if (!kept.folder.empty()) {
+        running.run_into_folder();
+        return read_folder(kept.folder, {});
+    }
+    kept.meshes = hashes_of(prepared);
+    kept.poses = file_poses_hash(prepared);
+    return running.run({}, &kept.answers);
+}
+
+cd::PreparedJob
+prepare_to_submit(const Job& job, const std::filesystem::path& tree_cache, cd::ThreadPool& pool) {
+    RunOptions options;
+    options.tree_cache = tree_cache;
+    return prepare(*job.state(), options, pool, cd::Trees::ForPosesOnly);
+}
+
+void save_run(const Job& job,
+              const KeptRun& kept,
+              const std::filesystem::path& folder,
+              bool overwrite) {
+    cd::ThreadPool pool;
+    RunOptions options;
+    options.out = folder;
+    cd::PreparedJob prepared = prepare(*job.state(), options, pool, cd::Trees::ForPosesOnly);
+    if (hashes_of(prepared) != kept.meshes || file_poses_hash(prepared) != kept.poses) {
+        throw Error(ErrorCode::BadInput,
+                    "a mesh or pose file of the job has changed since it ran; run it again");
+    }
+    save_answers(prepared, kept.answers, overwrite);
 }
 
 Results open(const std::filesystem::path& folder) {

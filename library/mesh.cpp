@@ -1,10 +1,12 @@
 #include "client/import/mesh_import.hpp"
+#include "common/core/errors.hpp"
 #include "common/geometry/topology.hpp"
 #include "library/errors.hpp"
 #include "library/mesh_state.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,7 +41,11 @@ std::shared_ptr<Mesh::State> state_with(cd::Mesh mesh) {
 
 /// Makes the trees of both meshes in the forms that a question about them needs.
 std::pair<std::shared_ptr<const cd::ObbTree>, std::shared_ptr<const cd::ObbTree>>
-trees_of(Mesh::State& a, Mesh::State& b, bool wants_points, unsigned threads) {
+trees_of(Mesh::State& a,
+         Mesh::State& b,
+         bool wants_points,
+         unsigned threads,
+         const cd::StopCheck& stop) {
     std::unique_lock lock_a(a.mutex, std::defer_lock);
     std::unique_lock lock_b(b.mutex, std::defer_lock);
     if (&a == &b) {
@@ -52,12 +58,35 @@ trees_of(Mesh::State& a, Mesh::State& b, bool wants_points, unsigned threads) {
     const auto with_pool = [&]() -> cd::ThreadPool& {
         return pool ? *pool : pool.emplace(threads);
     };
+    // What `stop` throws may not pass through a build, whose other threads still run.
+    std::exception_ptr thrown;
+    bool is_stopped = false;
+    const auto held_stop = [&] {
+        try {
+            is_stopped = is_stopped || stop();
+        } catch (...) {
+            thrown = std::current_exception();
+            is_stopped = true;
+        }
+        return is_stopped;
+    };
+    const auto stop_if_asked = [&] {
+        if (!held_stop()) {
+            return;
+        }
+        if (thrown) {
+            std::rethrow_exception(thrown);
+        }
+        check(cd::interrupted());
+    };
     for (cd::MeshTrees* trees : {&a.trees, &b.trees}) {
         if (!trees->has_wide()) {
-            trees->need_wide(no_cache, with_pool());
+            trees->need_wide(no_cache, with_pool(), held_stop);
+            stop_if_asked();
         }
         if (wants_points && !trees->has_points()) {
             trees->need_points(true, no_cache, with_pool());
+            stop_if_asked();
         }
     }
     // As for a job: two closed bodies may contain each other, and a body that floats cannot hold
@@ -81,7 +110,8 @@ std::shared_ptr<PairSearch> search_of(const Mesh& mesh_a,
                                       const Mesh& mesh_b,
                                       const cd::Query& query,
                                       bool wants_points,
-                                      unsigned threads) {
+                                      unsigned threads,
+                                      const cd::StopCheck& stop) {
     Mesh::State& a = state_of(mesh_a);
     Mesh::State& b = state_of(mesh_b);
     {
@@ -95,7 +125,7 @@ std::shared_ptr<PairSearch> search_of(const Mesh& mesh_a,
             return a.searches.front();
         }
     }
-    auto [tree_a, tree_b] = trees_of(a, b, wants_points, threads);
+    auto [tree_a, tree_b] = trees_of(a, b, wants_points, threads, stop);
     auto made = std::make_shared<PairSearch>(std::move(tree_a), std::move(tree_b), query);
     const std::lock_guard lock(a.mutex);
     std::erase_if(a.searches,
@@ -134,7 +164,9 @@ Mesh Mesh::load(const std::filesystem::path& file, double factor) {
     }
     cd::ImportOptions options;
     options.unit_factor = factor;
-    return Mesh(std::make_shared<State>(value_of(cd::import_mesh(file, options)).mesh));
+    auto state = std::make_shared<State>(value_of(cd::import_mesh(file, options)).mesh);
+    state->file = file;
+    return Mesh(std::move(state));
 }
 
 Mesh Mesh::from_canonical_bytes(std::span<const std::byte> bytes) {

@@ -1,6 +1,5 @@
 #include "library/result_arrays.hpp"
 
-#include "client/export/result_writer.hpp"
 #include "common/job/result/drawn_witness.hpp"
 
 #include <limits>
@@ -36,15 +35,36 @@ std::vector<std::uint64_t> counts_of(const std::vector<cd::TriangleContacts>& ma
 
 } // namespace
 
-ResultArrays::ResultArrays(EachWindow each_window, std::vector<std::string> body_names)
+ResultArrays::ResultArrays(EachWindow each_window,
+                           std::vector<std::string> body_names,
+                           std::uint64_t first)
     : each_window_(std::move(each_window)), body_names_(std::move(body_names)) {
-    begin_window(0);
+    begin_window(first);
 }
 
 void ResultArrays::begin_window(std::uint64_t first) {
     window_ = {};
     window_.first = first;
     window_.body_names = body_names_;
+}
+
+void ResultArrays::pass_window() {
+    const std::uint64_t next =
+        window_.index.empty() ? window_.first + window_.size() : window_.index.back() + 1;
+    each_window_(std::exchange(window_, {}));
+    begin_window(next);
+}
+
+/// Notes the index of the next result, if an earlier scenario has no result.
+void ResultArrays::number(std::uint64_t index) {
+    const std::uint64_t expected = window_.first + window_.size();
+    if (window_.index.empty() && index == expected) {
+        return;
+    }
+    for (std::uint64_t i = window_.first + window_.index.size(); i < expected; ++i) {
+        window_.index.push_back(i);
+    }
+    window_.index.push_back(index);
 }
 
 void ResultArrays::add_pairs(const cd::ScenarioResult& result) {
@@ -109,6 +129,7 @@ void ResultArrays::add_motion(const cd::ScenarioResult& result) {
 }
 
 void ResultArrays::add(const cd::ScenarioResult& result, std::span<const cd::ContactPair> found) {
+    number(result.index);
     window_.kind.push_back(static_cast<ScenarioClass>(result.kind));
     window_.count.push_back(result.pair_count);
     window_.surfaces_only.push_back(result.surfaces_only ? 1 : 0);
@@ -135,35 +156,45 @@ void ResultArrays::add(const cd::ScenarioResult& result, std::span<const cd::Con
         window_.body_a.push_back(result.body_a);
         window_.body_b.push_back(result.body_b);
     }
-    if (counts_maps_) {
-        map_.add(result, found);
+    if (map_) {
+        map_->add(result, found);
     }
     const bool is_full = window_.size() >= window_scenarios || window_.pairs.size() >= window_pairs;
     if (each_window_ && is_full) {
-        const std::uint64_t next = window_.first + window_.size();
-        each_window_(std::exchange(window_, {}));
-        begin_window(next);
+        pass_window();
     }
+}
+
+std::optional<cd::ContactMap> ResultArrays::take_map() {
+    return map_ ? std::optional(map_->take()) : std::nullopt;
 }
 
 Results ResultArrays::finish(const std::optional<cd::Sha256>& digest,
                              std::array<std::size_t, 2> triangles,
-                             std::optional<cd::ContactMap> map) {
+                             const std::optional<cd::ContactMap>& map) {
     if (each_window_ && window_.size() > 0) {
-        const std::uint64_t next = window_.first + window_.size();
-        each_window_(std::exchange(window_, {}));
-        begin_window(next);
+        pass_window();
     }
     Results whole = std::move(window_);
     whole.digest = digest ? cd::to_hex(*digest) : "";
-    if (!map && counts_maps_) {
-        map = map_.take();
-    }
     if (map) {
         whole.map_a = counts_of(map->bodies[0], triangles[0]);
         whole.map_b = counts_of(map->bodies[1], triangles[1]);
     }
     return whole;
+}
+
+std::vector<std::string> names_of(const cd::ExportContext& context) {
+    std::vector<std::string> names;
+    for (const cd::ExportBody& body : context.bodies) {
+        names.push_back(body.name);
+    }
+    return names;
+}
+
+std::array<std::size_t, 2>
+triangles_of(const std::vector<std::shared_ptr<const cd::Mesh>>& meshes) {
+    return {meshes.at(0)->triangles().size(), meshes.at(1)->triangles().size()};
 }
 
 } // namespace cdcluster

@@ -1,11 +1,16 @@
 // Collects the results of scenarios into the arrays of the library, window by window.
 #pragma once
 
+#include "client/export/result_writer.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
 #include "common/scene/step_index.hpp"
 #include "library/include/cdcluster/cdcluster.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -23,7 +28,10 @@ class ResultArrays {
     /// Called with a full window; empty: all results are kept.
     using EachWindow = std::function<void(Results&&)>;
 
-    explicit ResultArrays(EachWindow each_window, std::vector<std::string> body_names = {});
+    /// The first scenario has the index `first`.
+    explicit ResultArrays(EachWindow each_window,
+                          std::vector<std::string> body_names = {},
+                          std::uint64_t first = 0);
 
     /// Takes the step of each result from these, the steps of a scene: with lines, the step in a
     /// result names its bundle, too. Null: results have the steps that they tell.
@@ -31,28 +39,39 @@ class ResultArrays {
 
     /// Adds the next result; `found` has all its pairs if the job has maps.
     void add(const cd::ScenarioResult& result, std::span<const cd::ContactPair> found);
-    /// Counts the pairs that `add` gets for maps.
-    void count_maps() { counts_maps_ = true; }
+    /// Counts the pairs that `add` gets for a map, which has sums by these parts.
+    void count_maps(std::shared_ptr<const cd::BodyPartRuns> parts) {
+        map_.emplace(std::move(parts));
+    }
+    /// Returns the map of all results; nothing if none was counted.
+    [[nodiscard]] std::optional<cd::ContactMap> take_map();
 
     /// Passes the last window on. Returns what belongs to all results, and without windows the
-    /// results. `map` replaces the maps that were counted; the bodies have so many triangles.
+    /// results. The bodies have so many triangles.
     [[nodiscard]] Results finish(const std::optional<cd::Sha256>& digest,
                                  std::array<std::size_t, 2> triangles,
-                                 std::optional<cd::ContactMap> map = {});
+                                 const std::optional<cd::ContactMap>& map);
 
   private:
     void add_pairs(const cd::ScenarioResult& result);
     void add_points(const cd::ScenarioResult& result);
     void add_distance(const cd::ScenarioResult& result);
     void add_motion(const cd::ScenarioResult& result);
+    void number(std::uint64_t index);
     void begin_window(std::uint64_t first);
+    void pass_window();
 
     EachWindow each_window_;
     std::vector<std::string> body_names_;
     std::shared_ptr<const cd::StepIndex> steps_;
     Results window_;
-    bool counts_maps_ = false;
-    cd::ContactMapSum map_;
+    std::optional<cd::ContactMapSum> map_;
 };
+
+/// Returns the names of the bodies of a job.
+[[nodiscard]] std::vector<std::string> names_of(const cd::ExportContext& context);
+/// Returns the numbers of triangles of A and of B. Scenes, which may have more, have no maps.
+[[nodiscard]] std::array<std::size_t, 2>
+triangles_of(const std::vector<std::shared_ptr<const cd::Mesh>>& meshes);
 
 } // namespace cdcluster

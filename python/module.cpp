@@ -1,12 +1,11 @@
-// The native part of the Python package: meshes, questions and results as NumPy arrays. What a
-// Python user calls, and how arguments become these, is in cdcluster/__init__.py.
-#include "library/include/cdcluster/cdcluster.hpp"
-
-#include <pybind11/functional.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
+// The native part of the Python package: meshes, questions, jobs and errors. What a Python user
+// calls, and how arguments become these, is in cdcluster/__init__.py.
+#include "common/core/files/hash.hpp"
+#include "library/borrowed_poses.hpp"
+#include "library/kept_run.hpp"
+#include "library/pose_sweep.hpp"
+#include "python/calls.hpp"
+#include "python/cluster.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -14,72 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace py = pybind11;
-
 namespace cdcluster {
 
 namespace {
-
-using Doubles = py::array_t<double, py::array::c_style>;
-using Indices = py::array_t<std::uint32_t, py::array::c_style>;
-
-/// Returns a read-only array over memory that `owner` keeps alive.
-template <class Number>
-py::array view(const void* data, std::vector<py::ssize_t> shape, const py::handle& owner) {
-    py::array_t<Number> made(std::move(shape), static_cast<const Number*>(data), owner);
-    made.attr("setflags")(py::arg("write") = false);
-    return made;
-}
-
-template <class Number, class Element>
-py::array view_of(const std::vector<Element>& values, const py::handle& owner) {
-    static_assert(sizeof(Element) == sizeof(Number));
-    return view<Number>(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
-}
-
-/// Returns an array whose rows are the elements of `values`, each of `columns` numbers.
-template <class Number, class Element>
-py::array
-rows_of(const std::vector<Element>& values, py::ssize_t columns, const py::handle& owner) {
-    return view<Number>(values.data(), {static_cast<py::ssize_t>(values.size()), columns}, owner);
-}
-
-template <class Number>
-std::span<const Number> span_of(const py::array_t<Number, py::array::c_style>& array) {
-    return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
-/// Looks for signals and calls the user's function, on the thread that called from Python.
-class PythonProgress {
-  public:
-    explicit PythonProgress(py::object function) : function_(std::move(function)) {}
-
-    /// Throws what the function or a signal's handler raises; returns false if the function does.
-    bool operator()(const Progress& progress) const {
-        const py::gil_scoped_acquire gil;
-        if (PyErr_CheckSignals() != 0) {
-            throw py::error_already_set();
-        }
-        if (function_.is_none()) {
-            return true;
-        }
-        const py::object answer = function_(progress.done, progress.total);
-        return answer.is_none() || answer.cast<bool>();
-    }
-
-  private:
-    py::object function_;
-};
-
-/// Makes a `progress` that may be copied and destroyed without Python's lock.
-std::function<bool(const Progress&)> progress_of(py::object function) {
-    std::shared_ptr<PythonProgress> shared(new PythonProgress(std::move(function)),
-                                           [](PythonProgress* progress) {
-                                               const py::gil_scoped_acquire gil;
-                                               delete progress;
-                                           });
-    return [shared](const Progress& progress) { return (*shared)(progress); };
-}
 
 Mesh mesh_from_arrays(
     const Doubles& xyz,
@@ -134,130 +70,128 @@ void define_mesh(py::module_& module) {
                                    return parts;
                                })
         .def_property_readonly("sha256", &Mesh::sha256)
-        .def_property_readonly("is_closed", &Mesh::is_closed)
+        .def_property_readonly("is_closed",
+                               [](const Mesh& mesh) {
+                                   // Another thread may build the mesh's tree, and look for
+                                   // signals meanwhile.
+                                   const py::gil_scoped_release released;
+                                   return mesh.is_closed();
+                               })
         .def(py::pickle(&bytes_of, &mesh_from_bytes));
 }
 
-void define_results(py::module_& module) {
-    py::class_<Results> results(module, "Results");
-    const auto array = [&](const char* name, auto make) {
-        results.def_property_readonly(name, [make](const py::object& self) {
-            return make(self.cast<const Results&>(), self);
-        });
-    };
-    array("kind", [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.kind, self); });
-    array("count",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.count, self); });
-    array("near_count",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.near_count, self); });
-    array("surfaces_only", [](const Results& r, auto& self) {
-        return view_of<std::uint8_t>(r.surfaces_only, self);
-    });
-    array("offsets",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.offsets, self); });
-    array("pairs",
-          [](const Results& r, auto& self) { return rows_of<std::uint32_t>(r.pairs, 2, self); });
-    array("pair_class",
-          [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.pair_class, self); });
-    array("point_offsets", [](const Results& r, auto& self) {
-        return view_of<std::uint64_t>(r.point_offsets, self);
-    });
-    array("points",
-          [](const Results& r, auto& self) { return rows_of<double>(r.points, 3, self); });
-    array("pair_distance",
-          [](const Results& r, auto& self) { return view_of<double>(r.pair_distance, self); });
-    array("hit_depth",
-          [](const Results& r, auto& self) { return view_of<double>(r.hit_depth, self); });
-    array("hit_flags",
-          [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.hit_flags, self); });
-    array("hit_rank",
-          [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.hit_rank, self); });
-    array("distance",
-          [](const Results& r, auto& self) { return view_of<double>(r.distance, self); });
-    array("witness",
-          [](const Results& r, auto& self) { return rows_of<std::uint32_t>(r.witness, 2, self); });
-    array("witness_points", [](const Results& r, auto& self) {
-        return view<double>(r.witness_points.data(),
-                            {static_cast<py::ssize_t>(r.witness_points.size()), 2, 3},
-                            self);
-    });
-    array("step",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.step, self); });
-    array("body_a",
-          [](const Results& r, auto& self) { return view_of<std::uint32_t>(r.body_a, self); });
-    array("body_b",
-          [](const Results& r, auto& self) { return view_of<std::uint32_t>(r.body_b, self); });
-    array("map_a",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.map_a, self); });
-    array("map_b",
-          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.map_b, self); });
-    array("motion_end",
-          [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.motion.end, self); });
-    array("motion_depth",
-          [](const Results& r, auto& self) { return view_of<std::uint8_t>(r.motion.depth, self); });
-    array("t0",
-          [](const Results& r, auto& self) { return view_of<std::uint32_t>(r.motion.t0, self); });
-    array("t1",
-          [](const Results& r, auto& self) { return view_of<std::uint32_t>(r.motion.t1, self); });
-    array("run_offsets", [](const Results& r, auto& self) {
-        return view_of<std::uint64_t>(r.motion.run_offsets, self);
-    });
-    array("runs", [](const Results& r, auto& self) {
-        return rows_of<std::uint32_t>(r.motion.runs, 5, self);
-    });
-    results.def_readwrite("first", &Results::first)
-        .def_readonly("digest", &Results::digest)
-        .def_readonly("body_names", &Results::body_names)
-        .def_property_readonly("failures",
-                               [](const Results& r) {
-                                   py::dict failures;
-                                   for (const Failure& failure : r.failures) {
-                                       failures[py::int_(failure.scenario)] = failure.reason;
-                                   }
-                                   return failures;
-                               })
-        .def("__len__", &Results::size);
+/// The answers of a question about poses in memory, and a checksum of these poses.
+struct KeptPoses {
+    KeptAnswers answers;
+    std::uint64_t checksum = 0;
+};
+
+std::uint64_t checksum_of(const Doubles& poses) {
+    return cd::checksum(std::as_bytes(span_of(poses)));
 }
 
-std::unique_ptr<Results> find(const Mesh& a,
-                              const Mesh& b,
-                              const Doubles& poses,
-                              PoseForm form,
-                              const py::dict& asked,
-                              py::object progress) {
-    Query query;
-    query.level = static_cast<Level>(asked["level"].cast<int>());
-    query.limit_pairs = asked["limit_pairs"].cast<std::uint64_t>();
-    query.maps = asked["maps"].cast<bool>();
-    query.clearance = asked["clearance"].cast<std::optional<double>>();
-    query.up_to = asked["up_to"].cast<std::optional<double>>();
-    for (const auto& rule : asked["ignore"]) {
-        const auto [of_a, of_b] = rule.cast<std::pair<std::string, std::string>>();
-        query.ignore.push_back({of_a, of_b});
+/// Returns the results, and what `save_pair` needs.
+py::tuple find(const Mesh& a,
+               const Mesh& b,
+               const Doubles& poses,
+               PoseForm form,
+               const py::dict& asked,
+               py::object progress) {
+    const Query query = query_of(asked, progress_of(std::move(progress)));
+    auto kept = std::make_unique<KeptPoses>();
+    std::unique_ptr<Results> results;
+    {
+        const Poses rows{span_of(poses), form};
+        const py::gil_scoped_release released;
+        kept->checksum = checksum_of(poses);
+        results =
+            std::make_unique<Results>(PoseSweep(a, b, query).next(rows, true, {}, &kept->answers));
     }
-    query.threads = asked["threads"].cast<unsigned>();
-    query.progress = progress_of(std::move(progress));
+    return py::make_tuple(std::move(results), std::move(kept));
+}
+
+void save_pair(const Mesh& a,
+               const Mesh& b,
+               const Doubles& poses,
+               PoseForm form,
+               const py::dict& asked,
+               const KeptPoses& kept,
+               const std::filesystem::path& folder,
+               bool overwrite) {
+    const Query query = query_of(asked, {});
     const Poses rows{span_of(poses), form};
     const py::gil_scoped_release released;
-    return std::make_unique<Results>(find_contacts(a, b, rows, query));
+    if (checksum_of(poses) != kept.checksum) {
+        throw Error(ErrorCode::BadInput,
+                    "the array of poses has changed since the question was answered; ask again");
+    }
+    cd::PreparedJob job = pair_job(a, b, std::make_unique<BorrowedPoses>(rows), form, query);
+    job.spec.output.dir = folder;
+    save_answers(job, kept.answers, overwrite);
 }
 
-std::unique_ptr<Results> run_job(const Job& job,
-                                 const std::filesystem::path& out,
-                                 const std::filesystem::path& tree_cache,
-                                 unsigned threads,
-                                 py::object progress) {
+/// Returns the results, and what `save_run` needs.
+py::tuple run_job(const Job& job,
+                  const std::filesystem::path& out,
+                  const std::filesystem::path& tree_cache,
+                  unsigned threads,
+                  py::object progress) {
     RunOptions options;
     options.out = out;
     options.tree_cache = tree_cache;
     options.threads = threads;
     options.progress = progress_of(std::move(progress));
-    const py::gil_scoped_release released;
-    return std::make_unique<Results>(run(job, options));
+    auto kept = std::make_unique<KeptRun>();
+    std::unique_ptr<Results> results;
+    {
+        const py::gil_scoped_release released;
+        results = std::make_unique<Results>(run_and_keep(job, options, *kept));
+    }
+    return py::make_tuple(std::move(results), std::move(kept));
 }
 
-/// Raises the Python exception for an error.
-void raise_error(const Error& error, const py::object& input_error) {
+void define_calls(py::module_& module) {
+    py::class_<KeptPoses>(module, "KeptPoses");
+    py::class_<KeptRun>(module, "KeptRun").def_property_readonly("folder", [](const KeptRun& kept) {
+        return kept.folder.string();
+    });
+    py::class_<PoseSweep>(module, "PoseSweep")
+        .def(py::init([](const Mesh& a, const Mesh& b, const py::dict& asked, py::object progress) {
+            return std::make_unique<PoseSweep>(
+                a, b, query_of(asked, progress_of(std::move(progress))));
+        }))
+        .def("next", [](PoseSweep& sweep, const Doubles& poses, PoseForm form, bool last) {
+            const Poses rows{span_of(poses), form};
+            const py::gil_scoped_release released;
+            return std::make_unique<Results>(sweep.next(rows, last));
+        });
+    module.def("find_contacts", &find);
+    module.def("save_pair", &save_pair);
+    module.def("run", &run_job);
+    module.def("save_run",
+               [](const Job& job,
+                  const KeptRun& kept,
+                  const std::filesystem::path& folder,
+                  bool overwrite) {
+                   const py::gil_scoped_release released;
+                   save_run(job, kept, folder, overwrite);
+               });
+    module.def("open", [](const std::filesystem::path& folder) {
+        const py::gil_scoped_release released;
+        return std::make_unique<Results>(open(folder));
+    });
+}
+
+/// The exceptions of the package. They are never destroyed, since Python's memory is gone when the
+/// process ends.
+struct Exceptions {
+    py::exception<Error> input;
+    py::exception<ClusterError> unreachable;
+    py::exception<ClusterError> refused;
+    py::exception<ClusterError> incomplete;
+};
+
+void raise_error(const Error& error, const Exceptions& exceptions) {
     switch (error.code()) {
     case ErrorCode::NotFound:
         PyErr_SetString(PyExc_FileNotFoundError, error.what());
@@ -272,7 +206,34 @@ void raise_error(const Error& error, const py::object& input_error) {
     case ErrorCode::TooLarge:
         break;
     }
-    PyErr_SetString(input_error.ptr(), error.what());
+    PyErr_SetString(exceptions.input.ptr(), error.what());
+}
+
+void raise_error(const ClusterError& error, const Exceptions& exceptions) {
+    switch (error.code()) {
+    case cd::ErrorCode::Disconnected:
+    case cd::ErrorCode::Timeout:
+    case cd::ErrorCode::BadFrame:
+        PyErr_SetString(exceptions.unreachable.ptr(), error.what());
+        return;
+    case cd::ErrorCode::Refused:
+        PyErr_SetString(exceptions.refused.ptr(), error.what());
+        return;
+    case cd::ErrorCode::Incomplete:
+        PyErr_SetString(exceptions.incomplete.ptr(), error.what());
+        return;
+    case cd::ErrorCode::Interrupted:
+        PyErr_SetString(PyExc_InterruptedError, error.what());
+        return;
+    case cd::ErrorCode::Io:
+        PyErr_SetString(PyExc_OSError, error.what());
+        return;
+    case cd::ErrorCode::BadInput:
+    case cd::ErrorCode::TooLarge:
+    case cd::ErrorCode::NotFound: // A job that the master does not have.
+        break;
+    }
+    PyErr_SetString(exceptions.input.ptr(), error.what());
 }
 
 } // namespace
@@ -281,16 +242,21 @@ void raise_error(const Error& error, const py::object& input_error) {
 
 PYBIND11_MODULE(_native, module) {
     using namespace cdcluster;
-    // It is never destroyed, since Python's memory is gone when the process ends.
-    static const auto* const input_error =
-        new py::exception<Error>(module, "InputError", PyExc_ValueError);
+    namespace py = pybind11;
+    static const auto* const exceptions =
+        new Exceptions{{module, "InputError", PyExc_ValueError},
+                       {module, "Unreachable", PyExc_ConnectionError},
+                       {module, "RefusedError", PyExc_PermissionError},
+                       {module, "IncompleteError", PyExc_RuntimeError}};
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) {
                 std::rethrow_exception(thrown);
             }
+        } catch (const ClusterError& error) {
+            raise_error(error, *exceptions);
         } catch (const Error& error) {
-            raise_error(error, *input_error);
+            raise_error(error, *exceptions);
         }
     });
     py::enum_<PoseForm>(module, "PoseForm")
@@ -308,11 +274,7 @@ PYBIND11_MODULE(_native, module) {
         .def_static("from_file", &Job::from_file)
         .def_static("from_folder", &Job::from_folder)
         .def_property_readonly("name", &Job::name);
-    module.def("find_contacts", &find);
-    module.def("run", &run_job);
-    module.def("open", [](const std::filesystem::path& folder) {
-        const py::gil_scoped_release released;
-        return std::make_unique<Results>(open(folder));
-    });
+    define_calls(module);
+    define_cluster(module);
     module.def("version", [] { return std::string(version()); });
 }

@@ -1,8 +1,8 @@
 // The verbs that show a master and its jobs.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/cluster/fetched_job.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/export/motion_times.hpp"
 #include "client/report/explain_report.hpp"

@@ -1,8 +1,8 @@
 // Runs a job on a master (`run --master`, `submit`): sends it, and fetches its results.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/cluster/fetched_job.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/export/result_sink.hpp"

@@ -2,55 +2,23 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
-#include "client/job/prepared_job.hpp"
+#include "client/cluster/job_on_master.hpp"
 #include "client/remote/connection.hpp"
 #include "client/report/progress.hpp"
 #include "common/core/result.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
 namespace cd {
 
-/// Connects to a master. A signal (`InterruptGuard`) interrupts the connection's calls.
-[[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
 /// Connects to a master for a job that could also run on this machine; the text of a network error
 /// says so. Callers connect before they read the inputs, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
-/// A connection, and the status that the cluster had when it was opened.
-struct ConnectedCluster {
-    std::unique_ptr<Connection> connection;
-    ClusterStatus status;
-};
-/// Connects to a master and asks for the cluster's status. Errors: as `open_master`.
-[[nodiscard]] Result<ConnectedCluster> open_cluster(const MasterOptions& options);
-
-/// A connection, and a job on the master.
-struct ConnectedJob {
-    std::unique_ptr<Connection> connection;
-    JobStatus status; ///< The job's status when the connection was opened.
-    std::string id;   ///< Short unique id: "j-4f2a".
-};
-/// Connects to a master and finds the job that `text` names. Errors: as `open_master` and
-/// `find_job`.
-[[nodiscard]] Result<ConnectedJob> open_job(const MasterOptions& options, const std::string& text);
-
 /// As `open_job`, for an argument that is no folder; the text of an error says so.
 [[nodiscard]] Result<ConnectedJob> open_job_of_argument(const MasterOptions& options,
                                                         const std::string& text);
-
-/// Returns the number of workers that are not lost.
-[[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
-/// Asks for the number of workers that are not lost; 0 if the master does not answer.
-[[nodiscard]] std::uint64_t worker_count(Connection& connection);
-/// Asks for `worker_count` as text: "12 workers"; empty if the master does not answer.
-[[nodiscard]] std::string workers_text(Connection& connection);
-
-/// Uploads meshes that the master lacks, with a line on stderr unless quiet, and submits the job.
-[[nodiscard]] Result<JobId>
-send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t priority = 0);
 
 /// Watches the job to its end, with progress on stderr. After a network error it reconnects, and
 /// gives up after a minute.
@@ -59,8 +27,5 @@ send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t prio
                                           JobId job,
                                           const std::string& id,
                                           ProgressPrinter::Style progress);
-
-/// Checks that the job is done. Errors: Incomplete with the reason.
-[[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
 
 } // namespace cd

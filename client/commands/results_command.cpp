@@ -1,8 +1,9 @@
 // The verb `results`, for a results folder or a job on a master.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/cluster/fetched_job.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/fetched_job.hpp"
+#include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_exports.hpp"
@@ -32,8 +33,9 @@ Result<int> tell(const ResultsCommand& command, const RunReport& report, bool pr
 }
 
 Result<int> results_of_job(const ResultsCommand& command) {
-    auto job = CD_TRY(
-        FetchedJob::open(command.master, command.job, tree_cache_folder(command.tree_cache)));
+    auto connected = CD_TRY(open_job_of_argument(command.master, command.job));
+    auto job =
+        CD_TRY(FetchedJob::open(std::move(connected), tree_cache_folder(command.tree_cache)));
     OutputSpec& output = job.prepared().spec.output;
     output.dir = command.out;
     output.exact_points = command.exact_points;

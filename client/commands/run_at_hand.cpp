@@ -2,7 +2,8 @@
 
 #include "client/base/interrupt.hpp"
 #include "client/base/temporary_folder.hpp"
-#include "client/commands/fetched_job.hpp"
+#include "client/cluster/fetched_job.hpp"
+#include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/scene/rule_pattern.hpp"
 #include "common/core/errors.hpp"
@@ -40,7 +41,8 @@ Result<RunWithInputs> fetch(const std::string& id,
                             bool reads_map,
                             const ReadInputs& read) {
     const auto folder = CD_TRY(TemporaryFolder::make("cdctl"));
-    auto job = CD_TRY(FetchedJob::open(master, id, tree_cache_folder(tree_cache)));
+    auto connected = CD_TRY(open_job_of_argument(master, id));
+    auto job = CD_TRY(FetchedJob::open(std::move(connected), tree_cache_folder(tree_cache)));
     job.prepared().spec.output.dir = folder.path();
     job.prepared().spec.output.formats.clear();
     FolderRunOptions options = folder_options({}, master);

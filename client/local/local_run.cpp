@@ -45,8 +45,12 @@ Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     return Done{};
 }
 
-/// Passes results to the observer and the merger. Errors: Interrupted; the observer's.
-Status deliver(const DoneBlock& results, const RunObserver& observer, ResultMerger& merger) {
+/// Passes results to the observer and the merger, in which scenario `first_index` is the first.
+/// Errors: Interrupted; the observer's.
+Status deliver(const DoneBlock& results,
+               const RunObserver& observer,
+               std::uint64_t first_index,
+               ResultMerger& merger) {
     if (observer.stopped()) {
         return interrupted();
     }
@@ -56,7 +60,7 @@ Status deliver(const DoneBlock& results, const RunObserver& observer, ResultMerg
     CD_TRY(observer.results(results));
     for (std::size_t i = 0; i < results.size(); ++i) {
         const auto outcome =
-            merger.add(results.first() + i, results.facts()[i], results.digests()[i]);
+            merger.add(results.first() - first_index + i, results.facts()[i], results.digests()[i]);
         CD_CHECK(outcome == ResultMerger::Outcome::Added);
     }
     return Done{};
@@ -119,7 +123,7 @@ Result<RunOutcome> run_locally(const TreesByBody& trees,
     const ScenarioRunner runner(
         trees, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
     std::uint64_t fed = merger.summary().merged();
-    OrderedRun run(runner, ended, pool, fed);
+    OrderedRun run(runner, ended, pool, options.first_index + fed);
     while (!merger.summary().is_complete()) {
         if (observer.stopped()) {
             return interrupted();
@@ -129,7 +133,10 @@ Result<RunOutcome> run_locally(const TreesByBody& trees,
             observer.progress(merger.summary(), seconds_since(start));
             progress_due = Clock::now() + timing::progress_period;
         }
-        CD_TRY(deliver(run.take(timing::progress_period, fed < poses.count()), observer, merger));
+        CD_TRY(deliver(run.take(timing::progress_period, fed < poses.count()),
+                       observer,
+                       options.first_index,
+                       merger));
     }
     RunOutcome outcome{
         merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};

@@ -44,6 +44,9 @@ struct LocalRunOptions {
     /// Results of an earlier run for the first scenarios, which are not run again.
     std::optional<ResultMerger> done;
     std::optional<SceneHead> scene = {}; ///< For the digest of a scene, unless `done` has it.
+    /// Index of the first scenario of `poses`, which are a part of a longer sequence: the outcome
+    /// counts this part alone.
+    std::uint64_t first_index = 0;
 };
 
 /// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest

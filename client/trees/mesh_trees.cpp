@@ -7,7 +7,7 @@
 
 namespace cd {
 
-void MeshTrees::need_wide(TreeCache& cache, ThreadPool& pool) {
+void MeshTrees::need_wide(TreeCache& cache, ThreadPool& pool, const StopCheck& stop) {
     if (wide_) {
         return;
     }
@@ -21,7 +21,11 @@ void MeshTrees::need_wide(TreeCache& cache, ThreadPool& pool) {
         tree.prepare_search(&pool);
         wide_ = std::make_shared<const ObbTree>(std::move(tree));
     } else {
-        wide_ = std::make_shared<const ObbTree>(build_tree(mesh_, {}, pool));
+        auto built = build_tree_until(stop, mesh_, {}, pool);
+        if (!built) {
+            return;
+        }
+        wide_ = std::make_shared<const ObbTree>(std::move(*built));
     }
     cache.keep(TreeForm::Wide, *wide_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/trees/tree_cache.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
 
@@ -15,7 +16,9 @@ class MeshTrees {
   public:
     explicit MeshTrees(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
 
-    void need_wide(TreeCache& cache, ThreadPool& pool);
+    /// Makes the wide form. Returns soon after `stop` returns true, as for `build_tree_until`; then
+    /// the form may be missing.
+    void need_wide(TreeCache& cache, ThreadPool& pool, const StopCheck& stop = {});
     /// Adds support points to the wide form, if it has nodes: cached ones, or, if `makes_them`, new
     /// ones. Requires the wide form.
     void need_points(bool makes_them, TreeCache& cache, ThreadPool& pool);

@@ -1,6 +1,7 @@
 #include "common/geometry/topology.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/geometry/topology_stop.hpp"
 
 #include <Eigen/Geometry>
 
@@ -217,9 +218,12 @@ std::vector<std::uint32_t> first_of_each_component(const std::vector<Triangle>& 
 
 } // namespace
 
-Topology analyse_topology(const Mesh& mesh) {
+std::optional<Topology> analyse_topology(const Mesh& mesh, const std::atomic<bool>& stop) {
     const std::size_t vertices = mesh.vertices().size();
     const std::vector<std::uint32_t> joined = joined_vertices(mesh.vertices());
+    if (stop) {
+        return std::nullopt;
+    }
     std::vector<Triangle> triangles = mesh.triangles();
     Topology topology;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -229,9 +233,20 @@ Topology analyse_topology(const Mesh& mesh) {
         topology.degenerate += is_degenerate(mesh, i, triangles[i]) ? 1u : 0u;
     }
     count_edges(triangles, vertices, topology);
+    if (stop) {
+        return std::nullopt;
+    }
     topology.component_triangles = first_of_each_component(triangles, vertices);
+    if (stop) {
+        return std::nullopt;
+    }
     topology.duplicate = count_duplicates(triangles, vertices);
     return topology;
+}
+
+Topology analyse_topology(const Mesh& mesh) {
+    const std::atomic<bool> never = false;
+    return std::move(*analyse_topology(mesh, never));
 }
 
 std::vector<std::uint32_t> first_of_own_component(const Mesh& mesh,

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 #include <thread>
 
 namespace cd::tests {
@@ -231,6 +232,32 @@ TEST(FindContacts, EndsWhenProgressSaysSoAndCanBeAskedAgain) {
     EXPECT_EQ(told, 2);
     const LibraryBodies few(20);
     expect_equal(cdcluster::find_contacts(bodies.a, bodies.b, few.poses()), few.answers({}));
+}
+
+TEST(FindContacts, IsStoppedWhileItBuildsTrees) {
+    const LibraryBodies bodies(20);
+    const auto large = cdcluster::Mesh::from_canonical_bytes(
+        make_torus(2, 0.7, 1500, 400).canonical_bytes()); // Its tree takes longer than a period.
+    cdcluster::Query query;
+    query.threads = 2;
+    query.progress = [](const cdcluster::Progress& progress) {
+        EXPECT_EQ(progress.done, 0u);
+        EXPECT_EQ(progress.total, 20u);
+        return false;
+    };
+    const auto ask = [&] {
+        return cdcluster::find_contacts(large, bodies.b, bodies.poses(), query);
+    };
+    try {
+        static_cast<void>(ask());
+        ADD_FAILURE() << "the call was not stopped";
+    } catch (const cdcluster::Error& error) {
+        EXPECT_EQ(error.code(), cdcluster::ErrorCode::Interrupted);
+    }
+    query.progress = [](const cdcluster::Progress&) -> bool { throw std::out_of_range("mine"); };
+    EXPECT_THROW(static_cast<void>(ask()), std::out_of_range);
+    query.progress = {};
+    EXPECT_EQ(ask().size(), 20u);
 }
 
 TEST(FindContacts, AnswersManyThreadsAtOnce) {

@@ -17,53 +17,15 @@ import numpy as np
 import pytest
 
 import cdcluster as cd
+from cluster import address, program, running
+from shapes import MOTION, SCENE, SHOTS, matrices, poses, torus, write_obj, write_steps
 
 CDCTL = os.environ["CDCTL"]
-
-
-def torus(around=48, across=24, radius=2.0, tube=0.7):
-    u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
-    angle, turn = 2 * np.pi * u / around, 2 * np.pi * v / across
-    distance = radius + tube * np.cos(turn)
-    vertices = np.stack([distance * np.cos(angle), distance * np.sin(angle), tube * np.sin(turn)], -1)
-    number = lambda i, j: (i % around) * across + j % across
-    faces = np.concatenate([
-        np.stack([number(u, v), number(u + 1, v), number(u + 1, v + 1)], -1).reshape(-1, 3),
-        np.stack([number(u, v), number(u + 1, v + 1), number(u, v + 1)], -1).reshape(-1, 3)])
-    return vertices.reshape(-1, 3), faces
-
-
-def rotations(count, seed=1):
-    q = np.random.default_rng(seed).normal(size=(count, 4))
-    return q / np.linalg.norm(q, axis=1)[:, None]
-
-
-def poses(count, seed=1, reach=4.0):
-    """Rows x y z qw qx qy qz."""
-    t = np.random.default_rng(seed + 1).uniform(-reach, reach, (count, 3))
-    return np.concatenate([t, rotations(count, seed)], axis=1)
-
-
-def matrices(rows):
-    w, x, y, z = rows[:, 3:].T
-    m = np.tile(np.eye(4), (len(rows), 1, 1))
-    m[:, :3, :3] = np.moveaxis(np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]), 2, 0)
-    m[:, :3, 3] = rows[:, :3]
-    return m
 
 
 @pytest.fixture(scope="module")
 def body():
     return cd.Mesh.from_arrays(*torus())
-
-
-def write_obj(path, mesh):
-    with open(path, "w") as file:
-        file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in mesh.vertices.tolist())
-        file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in mesh.faces.tolist())
 
 
 def digest_of_program(folder, job):
@@ -172,6 +134,25 @@ def test_errors_name_what_is_wrong(body, tmp_path):
         cd.contacts(body, body, np.eye(4)).pairs_of(1)
 
 
+def test_pairs_are_those_of_fcl(body, tmp_path):
+    """Random poses have no pair that only touches, so that FCL's doubles decide as exact numbers do."""
+    program_of_fcl = os.path.join(os.path.dirname(CDCTL), "../bench/fcl_pairs")
+    if not os.path.exists(program_of_fcl):
+        assert os.environ.get("CI") != "true", "build fcl_pairs: cmake -DCD_BENCH=ON -DCD_PEERS=ON, with libfcl-dev"
+        pytest.skip("bench/fcl_pairs is built with CD_PEERS only")
+    write_obj(tmp_path / "body.obj", body)
+    mesh = cd.Mesh(tmp_path / "body.obj")
+    at = matrices(poses(200, reach=3))
+    np.save(tmp_path / "poses.npy", at)
+    told = subprocess.run([program_of_fcl, "body.obj", "body.obj", "poses.npy"], cwd=tmp_path, capture_output=True,
+                          text=True, check=True).stdout.splitlines()
+    wanted = [np.array(line.split(), dtype=np.uint32).reshape(-1, 2) for line in told]
+    found = cd.contacts(mesh, mesh, at)
+    assert len(wanted) == len(found) == 200 and 0 < found.hit.sum() < 200
+    for scenario, pairs in enumerate(wanted):
+        assert np.array_equal(found.pairs_of(scenario), pairs), scenario
+
+
 def test_parts_are_ignored_by_pattern(body):
     half = len(body.faces) // 2
     parts = [("front", 0, half), ("back", half, len(body.faces))]
@@ -226,8 +207,26 @@ def test_windows_keep_memory_bounded(body, tmp_path):
     assert peak_bytes() - peak_before < 200e6
     few = list(cd.contacts_in_windows(body, body, poses(10), rows=4, quat_order="wxyz"))
     assert [len(part) for part in few] == [4, 4, 2]
+    assert few[2].index.tolist() == [8, 9]
     whole = cd.contacts(body, body, poses(10), quat_order="wxyz")
+    assert [part.digest for part in few] == ["", "", whole.digest]
     assert np.array_equal(np.concatenate([part.pairs for part in few]), whole.pairs)
+
+
+@pytest.mark.parametrize("question", [{"level": "any"}, {"level": "contacts", "clearance": 0.1},
+                                      {"level": "count", "maps": True}], ids=["any", "contacts", "count"])
+@pytest.mark.parametrize("rows", [7, 1000, 4000])
+def test_the_last_window_has_the_digest_over_all(question, rows, body):
+    wanted = cd.contacts(body, body, poses(4000), quat_order="wxyz", **question)
+    parts = list(cd.contacts_in_windows(body, body, poses(4000), rows=rows, quat_order="wxyz", **question))
+    assert parts[-1].digest == wanted.digest and not any(part.digest for part in parts[:-1])
+    assert (np.concatenate([part.kind for part in parts]) == wanted.kind).all()
+    if "maps" in question:
+        assert (sum(part.map_a for part in parts) == wanted.map_a).all()
+    bad = poses(4000)
+    bad[3333, 3:] = 0
+    with pytest.raises(cd.InputError, match="row 3333"):
+        list(cd.contacts_in_windows(body, body, bad, rows=rows, quat_order="wxyz", **question))
 
 
 def peak_bytes():
@@ -238,10 +237,10 @@ def peak_bytes():
 LONG = """
 import sys, numpy as np, cdcluster as cd
 sys.path.insert(0, {tests!r})
-import test_package as t
-body = cd.Mesh.from_arrays(*t.torus(200, 100))
+import shapes as t
+body = cd.Mesh.from_arrays(*t.torus({around}, {across}))
 rows = t.poses(200_000, reach=1)
-cd.contacts(body, body, rows[:10], quat_order="wxyz")
+{first}
 print("begins", flush=True)
 try:
     cd.contacts(body, body, rows, level="contacts", quat_order="wxyz")
@@ -250,20 +249,23 @@ except KeyboardInterrupt:
 """
 
 
-def test_ctrl_c_ends_a_call_with_keyboard_interrupt():
-    process = subprocess.Popen([sys.executable, "-B", "-c", LONG.format(tests=os.path.dirname(__file__))],
-                               stdout=subprocess.PIPE, text=True)
+# The first answers the whole call's poses, which takes minutes; the second builds the tree of a million triangles.
+@pytest.mark.parametrize("around, across, first, wait", [
+    (200, 100, 'cd.contacts(body, body, rows[:10], quat_order="wxyz")', 0.5), (1000, 500, "", 0.15)], ids=["search", "tree"])
+def test_ctrl_c_ends_a_call_with_keyboard_interrupt(around, across, first, wait):
+    script = LONG.format(tests=os.path.dirname(__file__), around=around, across=across, first=first)
+    process = subprocess.Popen([sys.executable, "-B", "-c", script], stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout.readline() == "begins\n"
-        time.sleep(0.5)
+        time.sleep(wait)
         begin = time.monotonic()
         process.send_signal(signal.SIGINT)
-        # The whole call takes minutes.
         assert process.stdout.readline() == "interrupted\n"
         print(f"Ctrl-C took {1000 * (time.monotonic() - begin):.0f} ms")
         assert process.wait(20) == 0
     finally:
         process.kill()
+        process.wait()
 
 
 def test_progress_is_told_and_stops_a_call(body):
@@ -301,28 +303,10 @@ def test_other_threads_run_while_a_call_does(body):
     assert during > 3
 
 
-SCENE = {
-    "bodies": {"car": {"mesh": "body.obj", "count": 3},
-               "wall": {"mesh": "body.obj", "pose": [0, 0, 0, 0, 0, 0, 1], "quat_order": "xyzw"}},
-    "poses": {"file": "steps.csv"},
-    "query": {"level": "pairs"},
-}
-MOTION = {
-    "a": {"mesh": "body.obj"}, "b": {"mesh": "body.obj"},
-    "poses": {"line": {"from": [8, 0.1, 0.2], "to": [-8, 0, 0]}},
-    "motion": {"resolution": 0.01}, "query": {"level": "pairs"},
-}
-SHOTS = {
-    "a": {"mesh": "body.obj"}, "query": {"level": "pairs"},
-    "shots": {"spacing": 0.25, "azimuth_deg": [0, 90, 2], "elevation_deg": [0, 45, 2]},
-}
-
-
 @pytest.mark.parametrize("job", [SCENE, MOTION, SHOTS], ids=["scene", "motion", "shots"])
 def test_jobs_of_every_kind(job, body, tmp_path):
     write_obj(tmp_path / "body.obj", body)
-    (tmp_path / "steps.csv").write_text("step,body,x\n" + "".join(
-        f"{step},car.{car},{3.0 * car - step}\n" for step in range(4) for car in range(3)))
+    write_steps(tmp_path / "steps.csv")
     results = cd.run(job, folder=tmp_path, out=tmp_path / "out")
     assert results.hit.any()
     again = cd.run(cd.Job.from_folder(tmp_path / "out"))
@@ -351,15 +335,30 @@ def test_the_script_of_the_page_runs(tmp_path):
     if not os.path.exists("/usr/share/sumo/data/3D/tram.obj"):
         assert os.environ.get("CI") != "true"
         pytest.skip("the demo's vehicles are missing: packages_demo of deploy/packages")
-    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True,
-                          env={**os.environ, "MPLBACKEND": "Agg"})
+    place = tmp_path / "cluster"
+    place.mkdir()
+    with running(place) as processes:
+        environment = {**os.environ, "MPLBACKEND": "Agg", "CDCTL_MASTER": address(processes),
+                       "XDG_CACHE_HOME": str(tmp_path / "cache"), "XDG_STATE_HOME": str(tmp_path / "user")}
+        done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True,
+                              env=environment)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("9197 of 10000 poses are free") and (tmp_path / "free.png").stat().st_size > 0
+    lines = done.stdout.splitlines()
+    assert lines[0].startswith("9197 of 10000 poses are free") and (tmp_path / "free.png").stat().st_size > 0
+    assert "10000 of 10000" in lines[-2] and lines[-2].endswith("done") and lines[-1] == "the same digest"
+    program("cdctl", "verify", "free-space", cwd=tmp_path)
 
 
 def test_docstrings_are_true():
-    outcome = doctest.testmod(cd)
-    assert outcome.attempted > 5 and outcome.failed == 0
+    modules = [cd] + [sys.modules[f"cdcluster.{name}"] for name in ("_cluster", "_job", "_mesh", "_question", "_results")]
+    outcomes = [doctest.testmod(module) for module in modules]
+    assert sum(outcome.attempted for outcome in outcomes) > 5 and not any(outcome.failed for outcome in outcomes)
+
+
+def test_the_module_exports_nothing_but_itself():
+    native = sys.modules["cdcluster._native"].__file__
+    names = subprocess.run(["nm", "--dynamic", "--defined-only", native], capture_output=True, text=True, check=True)
+    assert [line.split()[-1] for line in names.stdout.splitlines()] == ["PyInit__native"]
 
 
 def test_stubs_are_those_of_the_module():

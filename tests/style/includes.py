@@ -77,6 +77,7 @@ ORDERED = {
         "local": [],
         "remote": ["access", "channel", "messages", "web/server", "web/status"],
         "folder": ["messages", "web/status"],
+        "cluster": ["messages", "web/status"],
         "compare": ["messages", "web/status"],
         "view": ["channel", "messages", "web/server", "web/status"],
         "document": ["messages", "web/server", "web/status"],
@@ -95,8 +96,8 @@ for _program, _rooms in ORDERED.items():
         _before.append(_name)
 
 
-LAYERS["python"] = ["library"]
 LAYERS["library"] = [room for room in LAYERS if room.startswith("client/") and room != "client/commands"]
+LAYERS["python"] = ["library", *LAYERS["library"], "proto/messages", "web/status"]
 
 
 def room_of(path):

@@ -4,6 +4,7 @@
 #include "client/commands/run_command.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
+#include "client/local/local_report.hpp"
 #include "client/local/local_run.hpp"
 #include "client/report/progress.hpp"
 #include "common/core/errors.hpp"
@@ -27,16 +28,9 @@ struct LocalOutcome : RunOutcome {
 };
 
 RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
-    RunReport report;
-    report.summary = outcome.summary;
-    report.query = local.job.query;
-    report.digest = outcome.digest;
-    report.execution.seconds = outcome.seconds;
+    RunReport report = report_of(outcome, local.job.query, local.pool.size());
     report.execution.reused = outcome.reused;
     report.execution.ran = outcome.ran;
-    report.execution.statistics = outcome.statistics;
-    report.execution.cost = outcome.cost;
-    report.execution.where = counted(local.pool.size(), "thread");
     report.execution.prepare_seconds = local.prepare_seconds;
     return report;
 }

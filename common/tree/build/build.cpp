@@ -1,14 +1,18 @@
 #include "common/tree/build/build.hpp"
 
 #include "common/core/check.hpp"
+#include "common/geometry/topology_stop.hpp"
 #include "common/tree/build/build_fit.hpp"
 #include "common/tree/build/build_node.hpp"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <latch>
+#include <optional>
 #include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,22 +29,42 @@ struct TopNode {
     std::vector<ObbNode> subtree;                         ///< A task's nodes; indices start at 0.
 };
 
+/// Whether a build is to end. All its threads may ask; only the one that made this polls the check.
+class BuildStop {
+  public:
+    explicit BuildStop(const StopCheck& check) : check_(check) {}
+
+    [[nodiscard]] bool is_set() {
+        if (std::this_thread::get_id() == caller_ && !stopped_ && check_ && check_()) {
+            stopped_ = true;
+        }
+        return stopped_;
+    }
+    [[nodiscard]] const std::atomic<bool>& flag() const { return stopped_; }
+
+  private:
+    const StopCheck& check_;
+    std::thread::id caller_ = std::this_thread::get_id();
+    std::atomic<bool> stopped_ = false;
+};
+
 class Builder {
   public:
-    Builder(const Mesh& mesh, const BuildOptions& options, ThreadPool& pool)
-        : input_{mesh.vertices(), options, is_measurable(mesh)}, pool_(pool) {
+    Builder(const Mesh& mesh, const BuildOptions& options, ThreadPool& pool, BuildStop& stop)
+        : input_{mesh.vertices(), options, is_measurable(mesh)}, pool_(pool), stop_(stop) {
         triangles_.reserve(mesh.triangles().size());
         for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
             triangles_.push_back({mesh.triangles()[i], i});
         }
     }
 
+    /// Builds all nodes, unless it is stopped.
     void build() {
         build_top();
         std::atomic<std::size_t> next{0};
         parallel_for(pool_, pool_.size(), [&](std::size_t) {
             SubtreeMaker maker(input_);
-            for (std::size_t i = next++; i < tasks_.size(); i = next++) {
+            for (std::size_t i = next++; i < tasks_.size() && !stop_.is_set(); i = next++) {
                 TopNode& task = top_[tasks_[i]];
                 task.subtree = maker.make(triangles_of(task.box), task.box.triangles_begin);
             }
@@ -73,6 +97,7 @@ class Builder {
 
     BuildInput input_;
     ThreadPool& pool_;
+    BuildStop& stop_;
     std::vector<BuildTriangle> triangles_;
     std::vector<TopNode> top_;
     std::vector<std::uint32_t> tasks_; ///< Indices in `top_`.
@@ -99,7 +124,7 @@ void Builder::build_top() {
         return;
     }
     LargeNodeMaker maker(input_, triangles_.size(), pool_);
-    while (!wave.empty()) {
+    while (!wave.empty() && !stop_.is_set()) {
         std::vector<NodeToMake> made = std::exchange(wave, {});
         const std::vector<std::uint32_t> made_places = std::exchange(places, {});
         maker.make(made);
@@ -151,24 +176,38 @@ std::vector<ObbNode> Builder::assemble() const {
 
 } // namespace
 
-ObbTree
-build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool) {
+std::optional<ObbTree> build_tree_until(const StopCheck& stop,
+                                        std::shared_ptr<const Mesh> mesh,
+                                        const BuildOptions& options,
+                                        ThreadPool& pool) {
     CD_CHECK(options.leaf_triangles_max >= 1);
+    BuildStop stopped(stop);
     // Analysing the topology takes as long as building the tree and is independent of it.
-    Topology topology;
+    std::optional<Topology> topology;
     std::latch analysed(1);
     pool.post([&] {
-        topology = analyse_topology(*mesh);
+        topology = analyse_topology(*mesh, stopped.flag());
         analysed.count_down();
     });
-    Builder builder(*mesh, options, pool);
+    Builder builder(*mesh, options, pool, stopped);
     builder.build();
+    while (stop && !analysed.try_wait() && !stopped.is_set()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     analysed.wait();
-    ObbTree tree(std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(topology));
+    if (stopped.is_set() || !topology) {
+        return std::nullopt;
+    }
+    ObbTree tree(std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(*topology));
     if (options.prepare_search) {
         tree.prepare_search(&pool);
     }
     return tree;
+}
+
+ObbTree
+build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool) {
+    return std::move(*build_tree_until({}, std::move(mesh), options, pool));
 }
 
 } // namespace cd

@@ -1,8 +1,13 @@
 // Builds OBB trees.
 #pragma once
 
+#include "common/core/host/stop_check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace cd {
 
@@ -37,5 +42,12 @@ struct BuildOptions {
 /// time with the quarter rule. The depth of the stack does not depend on the input.
 [[nodiscard]] ObbTree
 build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool);
+
+/// Builds the same tree. Returns nothing soon after `stop` returns true, which only the calling
+/// thread polls and which may not throw.
+[[nodiscard]] std::optional<ObbTree> build_tree_until(const StopCheck& stop,
+                                                      std::shared_ptr<const Mesh> mesh,
+                                                      const BuildOptions& options,
+                                                      ThreadPool& pool);
 
 } // namespace cd

@@ -221,6 +221,8 @@ struct SceneArrays {
 /// question does not fill are empty.
 struct Results : PairArrays, NearestArrays, SceneArrays {
     std::uint64_t first = 0;
+    /// The scenario of each element, if some scenarios have no result; else empty.
+    std::vector<std::uint64_t> index;
     std::vector<ScenarioClass> kind;
     std::vector<std::uint64_t> count;        ///< All pairs in contact, also those that a limit cut.
     std::vector<std::uint64_t> near_count;   ///< With a clearance.

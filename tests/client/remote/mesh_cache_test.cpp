@@ -2,7 +2,7 @@
 // harm.
 #include "client/remote/mesh_cache.hpp"
 
-#include "client/commands/fetched_job.hpp"
+#include "client/cluster/fetched_job.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -84,7 +84,9 @@ TEST(MeshCache, AJobThatIsFetchedAgainBringsNoMesh) {
     });
     const MasterOptions options{master.address(), false, "none"};
     for (int time = 0; time < 2; ++time) {
-        auto fetched = FetchedJob::open(options, "1", folder / "trees");
+        auto connected = open_job(options, "1");
+        ASSERT_TRUE(connected) << connected.error().detail;
+        auto fetched = FetchedJob::open(std::move(connected.value()), folder / "trees");
         ASSERT_TRUE(fetched) << fetched.error().detail;
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             EXPECT_EQ(fetched.value().prepared().meshes[i]->hash(), meshes[i].hash());

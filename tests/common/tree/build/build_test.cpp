@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace cd::tests {
 
@@ -256,6 +257,25 @@ TEST(Build, ABoxFitsAFlatTurnedRectangle) {
     EXPECT_LT(box.half[0], 1e-6F);
     EXPECT_NEAR(box.half[1], 1.0, 1e-5);
     EXPECT_NEAR(box.half[2], 3.0, 1e-5);
+}
+
+TEST(Build, EndsAtWhicheverPollItIsStopped) {
+    const auto mesh = share(make_torus(2, 0.7, 200, 100)); // Several waves of large nodes.
+    ThreadPool pool(2);
+    const ObbTree whole = build_tree(mesh, {}, pool);
+    int stop_at = 0;
+    for (std::optional<ObbTree> tree; !tree; ++stop_at) {
+        int polls = 0;
+        tree = build_tree_until([&] { return polls++ >= stop_at; }, mesh, {}, pool);
+        if (tree) {
+            EXPECT_LE(polls, stop_at);
+            EXPECT_TRUE(std::ranges::equal(tree->nodes(), whole.nodes()));
+            EXPECT_TRUE(std::ranges::equal(tree->triangle_ids(), whole.triangle_ids()));
+        } else {
+            EXPECT_EQ(polls, stop_at + 1) << "a stop that was told is not asked again";
+        }
+    }
+    EXPECT_GT(stop_at, 5) << "it is asked between waves and between subtrees";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "client/commands/fetched_job.hpp"
+#include "client/cluster/fetched_job.hpp"
 
 #include "client/export/result_sink.hpp"
 #include "client/job/submission.hpp"
@@ -106,10 +106,9 @@ Result<RunReport> fetch_results(Connection& connection,
     return fetched_report(connection, job.query, status, fetched);
 }
 
-Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
-                                    const std::string& text,
+Result<FetchedJob> FetchedJob::open(ConnectedJob connected,
                                     const std::filesystem::path& tree_cache) {
-    FetchedJob job(CD_TRY(open_job_of_argument(master, text)));
+    FetchedJob job(std::move(connected));
     CD_TRY(job.prepare(tree_cache));
     return job;
 }
@@ -148,12 +147,13 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
     return Done{};
 }
 
+Result<RunReport> FetchedJob::fetch(const TakeResult& take) {
+    return fetch_results(*job_.connection, *prepared_, job_.status, take);
+}
+
 Result<RunReport> FetchedJob::print(const std::string& output) {
     auto sink = CD_TRY(ResultSink::open({{}, {}, output}, export_context(*prepared_)));
-    auto report = CD_TRY(
-        fetch_results(*job_.connection, *prepared_, job_.status, [&](const DoneScenario& done) {
-            return sink.add(done.result);
-        }));
+    auto report = CD_TRY(fetch([&](const DoneScenario& done) { return sink.add(done.result); }));
     CD_TRY(sink.finish(report.map));
     report.findings = sink.findings();
     return report;
@@ -175,10 +175,7 @@ Status FetchedJob::fetch_labels() {
 }
 
 Result<RunReport> FetchedJob::fetch_into(FolderRun& run, const std::string& output) {
-    auto report = CD_TRY(
-        fetch_results(*job_.connection, *prepared_, job_.status, [&](const DoneScenario& done) {
-            return run.add(done);
-        }));
+    auto report = CD_TRY(fetch([&](const DoneScenario& done) { return run.add(done); }));
     const std::optional<ContactMap> map = report.map;
     CD_TRY(run.finish(report, output, map));
     return report;

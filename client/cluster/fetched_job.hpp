@@ -1,8 +1,7 @@
 // A job fetched from a master with its meshes, poses and results.
 #pragma once
 
-#include "client/cli/cli.hpp"
-#include "client/commands/remote_session.hpp"
+#include "client/cluster/job_on_master.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/job/prepared_job.hpp"
 #include "client/local/done_scenario.hpp"
@@ -17,19 +16,22 @@
 
 namespace cd {
 
+/// Takes the next result of a job. An error that it returns ends the fetch.
+using TakeResult = std::function<Status(const DoneScenario&)>;
+
 /// A job on a master, prepared as for `run --master`, in order to fetch its results.
 class FetchedJob {
   public:
     /// Fetches the job's description and the meshes that are not cached; poses are fetched on
-    /// demand. `text` is a job id as users write it, `tree_cache` as for `MeshCache`. Errors: the
-    /// connection's; NotFound.
-    [[nodiscard]] static Result<FetchedJob> open(const MasterOptions& master,
-                                                 const std::string& text,
+    /// demand. `tree_cache` is as for `MeshCache`. Errors: the connection's; NotFound.
+    [[nodiscard]] static Result<FetchedJob> open(ConnectedJob connected,
                                                  const std::filesystem::path& tree_cache);
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const JobStatus& status() const { return job_.status; }
 
+    /// Passes all existing results to `take`. Returns a report. Errors: as `fetch_results`.
+    [[nodiscard]] Result<RunReport> fetch(const TakeResult& take);
     /// Writes the results to stdout in the format `output`. Errors: the connection's; from
     /// writing.
     [[nodiscard]] Result<RunReport> print(const std::string& output);
@@ -51,9 +53,6 @@ class FetchedJob {
 
 /// Makes a report of a job that has ended. `query` is the query of the job.
 [[nodiscard]] RunReport report_of(const JobStatus& job, const Query& query);
-
-/// Takes the next result of a job. An error that it returns ends the fetch.
-using TakeResult = std::function<Status(const DoneScenario&)>;
 
 /// Passes all existing results of a job to `take`. Returns a report, with the contact map if the
 /// master summed one. Errors: the connection's; from `take`; BadFrame if the results do not match
