@@ -64,7 +64,8 @@ class SceneShots : public testing::Test {
         spec_.box = Aabb{Vec3(-4, 0, 0), Vec3(4, 1, 1)};
         lines_ = share(shot_mesh(spec_, *spec_.box).value());
         bundles_ = shot_poses(spec_, *spec_.box).value();
-        context_.bodies = {{"near", "box.obj", box_}, {"far", "box.obj", box_}, {"lines", "", lines_}};
+        context_.bodies = {
+            {"near", "box.obj", box_}, {"far", "box.obj", box_}, {"lines", "", lines_}};
         context_.bodies[2].views = std::make_shared<const ShotViews>(spec_, *spec_.box);
         context_.unit = "m";
         add_step(at(2), at(-2));
@@ -107,7 +108,12 @@ class SceneShots : public testing::Test {
         const ObbTree lines = make_tree(*lines_);
         std::vector<ScenarioResult> results;
         for (const Scenario& scenario : scenarios_) {
-            results.push_back(run_scenario(box, lines, scenario, query_).result);
+            Scenario alone = scenario; // The trees are those of bodies 0 and 1.
+            alone.body_a = 0;
+            alone.body_b = 1;
+            results.push_back(run_scenario(box, lines, alone, query_).result);
+            results.back().body_a = scenario.body_a;
+            results.back().body_b = scenario.body_b;
         }
         return results;
     }
