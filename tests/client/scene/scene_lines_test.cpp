@@ -127,8 +127,8 @@ TEST_F(SceneLinesTest, ABoxReplacesThatOfTheBodies) {
         prepared(std::string(grid) + "box = [-8, -8, -8, 8, 8, 8]\n[query]\nlevel = \"count\"\n");
     EXPECT_EQ(scene.lines->spec.box->min, Vec3(-8, -8, -8));
     EXPECT_GT(scene.lines->bundles, prepared(grid).lines->bundles);
-    EXPECT_EQ(scene.steps->coverage()[0].tested, prepared(grid).steps->coverage()[0].tested)
-        << "bundles that pass by all bodies are no scenarios";
+    EXPECT_LE(scene.steps->coverage()[0].tested, 2u * 3u * 4u)
+        << "from a direction, a body of side 1 meets at most four bundles of side 1";
 }
 
 TEST_F(SceneLinesTest, APreparedJobHasTheLinesAsItsLastBody) {
