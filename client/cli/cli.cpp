@@ -11,9 +11,9 @@
 #include "common/core/build_info.hpp"
 #include "common/core/host/man_page.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "proto/messages/client_messages.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -107,7 +107,7 @@ class Verbs {
                  submit->priority,
                  "N",
                  "-10 to 10, higher first; above 0 needs the role admin")
-            ->check(CLI::Range(-priority_most, priority_most))
+            ->check(CLI::Range(-limits::priority_max, limits::priority_max))
             ->capture_default_str();
         add_quiet(*submit, submit->quiet);
         add_output(*submit, submit->output, {"text", "json", "name"});

@@ -214,9 +214,10 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (const Status scene = check_scene(submit); !scene) {
         return scene;
     }
-    if (submit.priority < -priority_most || submit.priority > priority_most) {
+    if (submit.priority < -limits::priority_max || submit.priority > limits::priority_max) {
         return bad("the priority is " + std::to_string(submit.priority) + " and may be " +
-                   std::to_string(-priority_most) + " to " + std::to_string(priority_most));
+                   std::to_string(-limits::priority_max) + " to " +
+                   std::to_string(limits::priority_max));
     }
     if (submit.grid.has_value() != (submit.poses.kind == PosesKind::Grid)) {
         return bad("a job has a grid if its poses are of kind grid, and only then");

@@ -124,16 +124,13 @@ struct IgnoreLine {
     friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
 };
 
-/// Bound of priorities, up and down.
-inline constexpr std::int32_t priority_most = 10;
-
 /// A new job. With a grid the Submit is complete and answered by Accepted; otherwise poses follow
 /// in PosesPart, and the master answers PosesEnd with Accepted.
 struct Submit {
     std::string name;
     std::string unit;            ///< Unit of poses and results.
     std::string owner;           ///< Set by the master.
-    std::int32_t priority = 0;   ///< Of `-priority_most` to `priority_most`; above 0 for admins.
+    std::int32_t priority = 0;   ///< -10 to 10 (`limits::priority_max`); above 0 for admins.
     std::vector<JobBody> bodies; ///< At least two bodies; their meshes must be stored.
     Query query;
     ClusterOptions cluster;

@@ -56,6 +56,7 @@ inline constexpr double binary_block_bytes_per_triangle = 30; ///< On the wire; 
 
 // Jobs.
 inline constexpr std::size_t jobs_running_max = 256;
+inline constexpr std::int32_t priority_max = 10; ///< Greatest priority; the least is -10.
 /// Default number of ended jobs to keep; with more, the master drops the oldest.
 inline constexpr std::size_t jobs_ended_kept_max = 1024;
 /// Largest number of ended jobs to keep that a setting may give.
