@@ -9,6 +9,7 @@
 #include "common/core/limits/wire.hpp"
 #include "common/core/timing/master.hpp"
 #include "common/core/timing/wire.hpp"
+#include "master/base/file_locks.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/identity/identity.hpp"
@@ -123,6 +124,9 @@ Status init_master(const MasterConfig& config) {
 Status run_master(const MasterConfig& config) {
     if (Status made = make_private_folder(config.state); !made) {
         return made;
+    }
+    if (Status has_locks = check_file_locks(config.state); !has_locks) {
+        return has_locks;
     }
     const auto identity = MasterIdentity::open(config.state, {config.certificate_life});
     if (!identity) {
