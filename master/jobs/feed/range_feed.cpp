@@ -64,7 +64,10 @@ void RangeFeed::came(JobId id, const PositionRange& positions, const Result<Wind
 
 void RangeFeed::give(MasterJob& job, const GivenRange& range) {
     const JobWork& work = *job.work();
-    const PositionSet open = open_positions(job, range);
+    PositionSet open = open_positions(job, range);
+    // A result that came while the poses were loading may have been withdrawn since, and its
+    // position given again.
+    open.remove(parts_.dispatch.view().unanalysed(job.id));
     for (const PositionRange& run : open.runs()) {
         const std::uint64_t after = work.todo.left() + work.positions_loading;
         parts_.dispatch.act(parts_.dispatch->positions_given(job.id, {run, range.window}, after));
