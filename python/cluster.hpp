@@ -76,7 +76,8 @@ class Cluster {
     /// `partial` is not set.
     [[nodiscard]] Results
     results(const std::string& id, bool partial, const cd::StopCheck& stop) const;
-    /// Fetches a job into a folder, as `cdctl results --out` does. Errors: as those of `FetchedJob`.
+    /// Fetches a job into a folder, as `cdctl results --out` does. Errors: as those of
+    /// `FetchedJob`.
     void save(const std::string& id,
               const std::filesystem::path& folder,
               bool overwrite,

@@ -107,7 +107,7 @@ PAIR = {"a": {"mesh": "body.obj"}, "b": {"mesh": "body.obj"},
 JOBS = {
     "contacts": {**PAIR, "query": {"level": "contacts"}},
     "distance": {**PAIR, "query": {"level": "distance"}},
-    "random": {"a": {"mesh": "body.obj"}, "b": {"mesh": "body.obj"}, "poses": {"random": 50, "seed": 3}},
+    "random": {"a": {"mesh": "body.obj"}, "b": {"mesh": "body.obj"}, "poses": {"random": {"n": 50, "seed": 3}}},
     "scene": SCENE, "motion": MOTION, "shots": SHOTS,
 }
 
