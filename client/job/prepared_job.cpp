@@ -226,7 +226,7 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     for (const std::string& warning : scene.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
-    for (const std::string& note : scene.notes) {
+    for (const std::string& note : scene.facts.notes) {
         job.warnings.push_back("note: " + note);
     }
     if (const auto moved = scene.facts.moved) {
@@ -234,7 +234,7 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     }
     job.query = scene.query;
     job.query.ignored = scene.ignored;
-    job.zeros = scene.zeros;
+    job.zeros = scene.facts.zeros;
     job.header = check_text(job.spec, scene);
     std::vector<BodySpec> files;
     for (const NamedBody& body : scene.scene.bodies) {

@@ -197,8 +197,8 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     append(prepared.warnings, steps.warnings);
     prepared.query = covering(spec.query, spec.chord);
     std::vector<PlacedBody> bodies = placed(prepared.scene, steps.are_fixed);
-    CD_TRY(follow_curves(spec, bodies, steps, prepared.notes, stop));
-    prepared.zeros = std::move(steps.zeros);
+    CD_TRY(follow_curves(spec, bodies, steps, prepared.facts.notes, stop));
+    prepared.facts.zeros = std::move(steps.zeros);
     prepared.are_fixed = std::move(steps.are_fixed);
     if (scene.shots) {
         CD_TRY(take_lines(spec, rules.ignored, std::move(steps.poses), stop, prepared));

@@ -24,6 +24,8 @@ struct SceneFacts {
     std::vector<std::uint64_t> absences; ///< At how many steps each body is absent.
     /// Of motions: how far the rounding of keys has moved a point of any body, at most.
     std::optional<double> moved;
+    std::vector<std::string> zeros; ///< Columns missing in [poses], which count as 0.
+    std::vector<std::string> notes; ///< What became of curves; a sentence each.
 };
 
 struct PreparedScene {
@@ -42,9 +44,7 @@ struct PreparedScene {
     std::optional<SceneLines> lines; ///< A body after all of `scene`, with which these are tested.
     SceneHead head;
     Query query; ///< With a clearance that covers the chord of curves; without `Query::ignored`.
-    std::vector<std::string> zeros;    ///< Columns missing in [poses], which count as 0.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
-    std::vector<std::string> notes;    ///< What became of curves; a sentence each.
 };
 
 /// Returns how far apart bodies may be so that the query asks about them: its clearance or `up_to`,

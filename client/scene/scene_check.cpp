@@ -104,7 +104,8 @@ std::string check_text(const JobSpec& spec, const PreparedScene& prepared) {
            (moved ? " of motion, " : ", ") + counted(steps.count(), "scenario") +
            (prepared.lines ? ", each of a body and a bundle" : "") + ":\n" +
            coverage_text(steps, prepared.facts.absences, prepared.scene, "  ") +
-           (moved ? "  " + keys_text(*moved, spec.unit) + "\n" : "") + notes_text(prepared.notes);
+           (moved ? "  " + keys_text(*moved, spec.unit) + "\n" : "") +
+           notes_text(prepared.facts.notes);
 }
 
 } // namespace cd

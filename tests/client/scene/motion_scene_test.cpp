@@ -149,8 +149,8 @@ TEST_F(MotionScene, FollowsVelocitiesByKeysBetweenTheSteps) {
     const PreparedScene curved = prepared(motion + "chord = 0.01\n");
     EXPECT_GT(curved.poses->steps()->steps(), 10u);
     EXPECT_EQ(curved.query.clearance, 0.01);
-    ASSERT_EQ(curved.notes.size(), 1u);
-    EXPECT_THAT(curved.notes[0],
+    ASSERT_EQ(curved.facts.notes.size(), 1u);
+    EXPECT_THAT(curved.facts.notes[0],
                 AllOf(HasSubstr("2 steps became "),
                       HasSubstr("within 0.01 m, by which the clearance grows")));
     const auto steps = curved.poses->steps();
@@ -158,7 +158,7 @@ TEST_F(MotionScene, FollowsVelocitiesByKeysBetweenTheSteps) {
     // Its path is straight within the resolution where a chord is not given.
     EXPECT_EQ(prepared(motion).query.clearance, std::nullopt);
     EXPECT_GT(prepared(motion).poses->steps()->steps(), steps->steps() / 3);
-    EXPECT_THAT(prepared("").notes.at(0), HasSubstr("velocities count with [motion] alone"));
+    EXPECT_THAT(prepared("").facts.notes.at(0), HasSubstr("velocities count with [motion] alone"));
     EXPECT_THAT(problem_of(motion + "chord = 1e-13\n"), HasSubstr("numbers of 64 bits"));
     const auto spec = read(motion + "chord = 0.01\n");
     ASSERT_TRUE(spec) << spec.error().detail;

@@ -70,7 +70,7 @@ TEST_F(PreparedSceneTest, HasTheScenariosOfItsSteps) {
     EXPECT_EQ(scene.steps->coverage()[0], (StepCoverage{3, 3, 0, 0, 0}));
     EXPECT_EQ(scene.steps->coverage()[1], (StepCoverage{1, 2, 0, 0, 3}));
     EXPECT_EQ(scene.steps->time_of(1), 1);
-    EXPECT_EQ(scene.zeros, (std::vector<std::string>{"y", "z", "roll", "pitch", "yaw"}));
+    EXPECT_EQ(scene.facts.zeros, (std::vector<std::string>{"y", "z", "roll", "pitch", "yaw"}));
 }
 
 TEST_F(PreparedSceneTest, RulesTakeScenariosAndPartsAway) {
