@@ -40,7 +40,7 @@ JobFacts facts_of(const cd::JobStatus& status, std::string id) {
     facts.id = std::move(id);
     facts.number = status.job.value;
     facts.name = status.name;
-    facts.owner = status.owner;
+    facts.owner = status.turn.owner;
     facts.state = cd::to_text(status.state);
     facts.failure = status.failure;
     facts.paused = status.paused;

@@ -58,7 +58,7 @@ TEST_F(Leaving, AnIdleWorkerStaysWhileItWorksAndThenDrains) {
     const auto cluster = connection_->status();
     ASSERT_TRUE(cluster);
     EXPECT_TRUE(cluster.value().workers.empty());
-    EXPECT_EQ(cluster.value().workers_lost, 0u);
+    EXPECT_EQ(cluster.value().losses.workers_lost, 0u);
 }
 
 TEST_F(Leaving, AnOrphanEndsAndNamesWhatNoMasterTook) {

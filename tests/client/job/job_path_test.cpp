@@ -3,6 +3,7 @@
 #include "client/job/job_path.hpp"
 
 #include "client/spec/job_file.hpp"
+#include "client/spec/query_spec.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>

@@ -147,17 +147,17 @@ TEST_F(MotionScene, FollowsVelocitiesByKeysBetweenTheSteps) {
                "1,car.0,8,0,2,0,0,0,0,0,0\n1,car.1,0,0,2,0,0,0,0,0,0\n"
                "1,car.2,nan,nan,2,nan,nan,nan,nan,nan,nan\n");
     const PreparedScene curved = prepared(motion + "chord = 0.01\n");
-    EXPECT_GT(curved.poses->steps()->steps(), 10u);
+    EXPECT_GT(curved.steps->steps(), 10u);
     EXPECT_EQ(curved.query.clearance, 0.01);
     ASSERT_EQ(curved.facts.notes.size(), 1u);
     EXPECT_THAT(curved.facts.notes[0],
                 AllOf(HasSubstr("2 steps became "),
                       HasSubstr("within 0.01 m, by which the clearance grows")));
-    const auto steps = curved.poses->steps();
+    const auto steps = curved.steps;
     EXPECT_EQ(steps->time_at(steps->steps() - 1, 1), 2.0);
     // Its path is straight within the resolution where a chord is not given.
     EXPECT_EQ(prepared(motion).query.clearance, std::nullopt);
-    EXPECT_GT(prepared(motion).poses->steps()->steps(), steps->steps() / 3);
+    EXPECT_GT(prepared(motion).steps->steps(), steps->steps() / 3);
     EXPECT_THAT(prepared("").facts.notes.at(0), HasSubstr("velocities count with [motion] alone"));
     EXPECT_THAT(problem_of(motion + "chord = 1e-13\n"), HasSubstr("numbers of 64 bits"));
     const auto spec = read(motion + "chord = 0.01\n");
