@@ -17,6 +17,7 @@ class Copies : public testing::Test, protected DispatchStage {
     /// Sends ten positions without analysis, each predicted to take a second, to the first worker,
     /// which is a thousand times slower than the second.
     TaskId give_range() {
+        pace.add_scenario(1'000'000'000);
         job_.range_pace.add(one_.id(), 1, 1);
         job_.range_pace.add(two_.id(), 1000, 1);
         tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
