@@ -77,9 +77,10 @@ def ask(a, b, rows, level, **question):
 def test_a_question_has_the_digest_and_arrays_of_a_local_call(question, cluster, body, tmp_path):
     half = len(body.faces) // 2
     mesh = cd.Mesh.from_arrays(body.vertices, body.faces, [("front", 0, half), ("back", half, 2 * half)])
+    other = cd.Mesh.from_arrays(body.vertices, body.faces, [("whole", 0, 2 * half)])
     rows = poses(300)
-    local = ask(mesh, body, rows, **question)
-    job = cluster.submit(mesh, body, rows, quat_order="wxyz", name="a sweep", **question)
+    local = ask(mesh, other, rows, **question)
+    job = cluster.submit(mesh, other, rows, quat_order="wxyz", name="a sweep", **question)
     assert job.name == "a sweep" and job.id.startswith("j-")
     found = job.results()
     assert_equal(found, local)
