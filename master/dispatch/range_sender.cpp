@@ -55,12 +55,15 @@ bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) c
            proxy.tasks.left_of(job.id) < positions_at_once(proxy, job);
 }
 
+bool RangeSender::has_range_for(const WorkerProxy& proxy, const DispatchJob& job) const {
+    return !job.unsent.is_empty() && proxy.takes_work() && !proxy.is_claimed() &&
+           &proxy != context_.reserved() && !would_be_late(proxy, job);
+}
+
 bool RangeSender::may_take(const WorkerProxy& proxy, const DispatchJob& job) const {
     const std::size_t tasks_max =
         std::max<std::size_t>(limits::batches_at_worker, proxy.facts().threads);
-    return !job.unsent.is_empty() && proxy.takes_work() && !proxy.is_claimed() &&
-           &proxy != context_.reserved() && proxy.tasks.unanswered_of(job.id) < tasks_max &&
-           !would_be_late(proxy, job);
+    return proxy.tasks.unanswered_of(job.id) < tasks_max && has_range_for(proxy, job);
 }
 
 bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {

@@ -20,6 +20,8 @@ class RangeSender {
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const;
     /// True if the worker would get a range of the job at the job's turn: it would run dry.
     [[nodiscard]] bool would_take(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// True if the job has a range for the worker, which may have too many tasks to get it now.
+    [[nodiscard]] bool has_range_for(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// True if the worker could get a range of the job, however much it has to do.
     [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Drops the cached totals of all jobs. Call at the start of an event and after each change

@@ -1,6 +1,6 @@
-// Proves, with real processes, that a job of higher priority overtakes one that runs; that `cdctl`
-// shows priorities, shares and what more workers would bring; and that a priority above 0 needs the
-// role admin.
+// Proves, with real processes, that a job of higher priority overtakes one that runs, also after a
+// restart of the master; that `cdctl` shows priorities, shares and what more workers would bring;
+// and that a priority above 0 needs the role admin.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
@@ -44,12 +44,14 @@ class Priority : public MortalCluster {
 
 // Both jobs are alike, so in turns the first one, which runs already, would end first.
 TEST_F(Priority, AJobOvertakesOneOfLowerPriority) {
-    const Job job = make_job(20000);
+    const Job job = make_job(12000);
     auto connection = connect();
     const JobId low = submit_ranked(*connection, job, -2);
     start_worker(2);
     (void)watch_until(*connection, low, 1);
     const JobId high = submit_ranked(*connection, job, 3);
+    (void)watch_until(*connection, high, 3000);
+    restart_master(connection);
     for (const JobId id : {high, low}) {
         const JobStatus ended = finish(*connection, id);
         EXPECT_EQ(ended.state, JobState::Done);

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards)
 TEST(ManyWorkers, EveryScenarioComesToExactlyOneResult) {
     constexpr std::size_t workers = 1000;
     std::uint64_t answering = 0;
-    for (const std::uint64_t seed : {1, 4}) {
+    for (const std::uint64_t seed : {4, 5}) { // Their jobs last until most workers are greeted.
         const Outcome outcome = simulate(seed, {false, Mutation::None, workers});
         ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n"
                                               << replay(seed, workers);

@@ -18,16 +18,16 @@ bool WorkerFiller::is_ripe(const WorkerProxy& proxy, const DispatchJob& job) con
     return policy.is_full(proxy, job) || (nothing_comes && policy.would_run_dry(proxy, job));
 }
 
-bool WorkerFiller::wants_to_flush(const WorkerProxy& proxy, const DispatchJob& job) const {
-    const MatchingPolicy& policy = *job.policy;
-    if (proxy.buffers.of(job.id).scenarios.empty() || proxy.is_claimed()) {
-        return false;
-    }
-    const std::size_t tasks_max =
-        std::max<std::size_t>(policy.bounds(proxy, job).tasks, proxy.facts().threads);
-    return proxy.tasks.unanswered_of(job.id) < tasks_max &&
-           (policy.is_full(proxy, job) || queue_.nothing_comes(job) ||
+bool WorkerFiller::has_buffer_for(const WorkerProxy& proxy, const DispatchJob& job) const {
+    return !proxy.buffers.of(job.id).scenarios.empty() && !proxy.is_claimed() &&
+           (job.policy->is_full(proxy, job) || queue_.nothing_comes(job) ||
             &proxy == context_.reserved());
+}
+
+bool WorkerFiller::wants_to_flush(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const std::size_t tasks_max =
+        std::max<std::size_t>(job.policy->bounds(proxy, job).tasks, proxy.facts().threads);
+    return proxy.tasks.unanswered_of(job.id) < tasks_max && has_buffer_for(proxy, job);
 }
 
 bool WorkerFiller::wants_to_pull(const WorkerProxy& proxy, const DispatchJob& job) const {
@@ -48,15 +48,25 @@ bool WorkerFiller::may_send(const WorkerProxy& proxy, const DispatchJob& job) co
 }
 
 DispatchJob* WorkerFiller::next(const WorkerProxy& proxy) const {
-    DispatchJob* first = nullptr;
+    const DispatchJob* first = nullptr; // Has work for the worker.
+    DispatchJob* ready = nullptr;       // May send it now.
+    const auto is_before = [this](const DispatchJob& job, const DispatchJob* other) {
+        return other == nullptr || queue_.order().comes_before(job.id, other->id);
+    };
     for (auto& [id, job] : queue_.jobs()) {
-        const bool is_before = first == nullptr || queue_.order().comes_before(job.id, first->id);
-        if (is_before && (wants_to_flush(proxy, job) || wants_to_pull(proxy, job) ||
-                          ranges_.may_take(proxy, job))) {
+        const bool pulls = wants_to_pull(proxy, job);
+        if (is_before(job, first) &&
+            (pulls || has_buffer_for(proxy, job) || ranges_.has_range_for(proxy, job))) {
             first = &job;
         }
+        if (is_before(job, ready) &&
+            (pulls || wants_to_flush(proxy, job) || ranges_.may_take(proxy, job))) {
+            ready = &job;
+        }
     }
-    return first != nullptr && may_send(proxy, *first) ? first : nullptr;
+    const bool runs_dry = proxy.tasks.left() < proxy.facts().threads;
+    return ready != nullptr && (ready == first || runs_dry) && may_send(proxy, *ready) ? ready
+                                                                                       : nullptr;
 }
 
 void WorkerFiller::fill_in_turn(WorkerProxy& proxy, Actions& actions) {

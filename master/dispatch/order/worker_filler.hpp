@@ -41,13 +41,15 @@ class WorkerFiller {
   private:
     // ---- With several jobs ----
     /// True if the job has a buffer for the worker that is full or gets no more for now.
+    [[nodiscard]] bool has_buffer_for(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// True if the job has such a buffer and the worker may get one more task of the job.
     [[nodiscard]] bool wants_to_flush(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// True if the worker may pull a task of the job, or the few scenarios that are left of it.
     [[nodiscard]] bool wants_to_pull(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// True if the worker would run dry, or has tasks of this job alone and may have one more.
     [[nodiscard]] bool may_send(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// The first job in the order that has work for the worker. Null if that must wait, or there is
-    /// none.
+    /// The first job in the order that has work for the worker. Null if there is none, or if its
+    /// work must wait: then work of a later job goes out only if the worker would run dry.
     [[nodiscard]] DispatchJob* next(const WorkerProxy& proxy) const;
     void fill_in_turn(WorkerProxy& proxy, Actions& actions);
 
