@@ -1,6 +1,7 @@
 #include "client/job/job_path.hpp"
 
 #include "client/job/job_motions.hpp"
+#include "client/poses/chord_check.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
@@ -30,20 +31,6 @@ std::string place_of_poses(const JobSpec& spec) {
 double off_curve_max(const JobSpec& spec) {
     const double usual = spec.query.motion ? spec.query.motion->resolution : *spec.max_step;
     return spec.chord.value_or(usual / 8);
-}
-
-/// Refuses a chord that does not cover the rounding of the keys as well (`keys_along`).
-Status check_chord(const JobSpec& spec, const JobMotions& motions) {
-    const double moved = motions.moved_between.a + motions.moved_between.b;
-    if (!spec.chord || moved <= grid_share * *spec.chord) {
-        return Done{};
-    }
-    return error_at_key(spec,
-                        "chord",
-                        "[motion]: chord = " + exact_text(*spec.chord) +
-                            " is too small, since rounding of the keys moves the bodies by up to " +
-                            exact_text(moved) + "; make it at least " +
-                            exact_text(moved / grid_share));
 }
 
 /// Keys that were made from a file's rows. An error names a key by the row where its curve starts.
@@ -104,7 +91,7 @@ Status make_motions(PreparedJob& job, const MotionQuery& motion) {
     auto made = CD_TRY(within(
         place,
         make_motions(*job.poses, job.labels, *job.meshes[0], *job.meshes[1], motion.resolution)));
-    CD_TRY(check_chord(job.spec, made));
+    CD_TRY(check_chord(job.spec, made.moved_between.a + made.moved_between.b));
     job.poses = std::move(made.poses);
     job.labels = std::move(made.labels);
     job.warnings.push_back("note: keys of motions are rounded to a grid: " +

@@ -1,6 +1,7 @@
 #include "client/scene/prepared_scene.hpp"
 
 #include "client/base/slow_note.hpp"
+#include "client/poses/chord_check.hpp"
 #include "client/poses/fcd_file.hpp"
 #include "client/scene/scene_meshes.hpp"
 #include "client/scene/scene_steps.hpp"
@@ -62,20 +63,6 @@ std::vector<Sha256> hashes_of(const SceneBodies& scene) {
     return hashes;
 }
 
-/// Refuses a chord that does not cover the rounding of the keys of two bodies as well.
-Status check_chord(const JobSpec& spec, const ScenePoses& poses) {
-    const double moved = 2 * poses.moved_between().value_or(0);
-    if (!spec.chord || moved <= grid_share * *spec.chord) {
-        return Done{};
-    }
-    return error_at_key(spec,
-                        "chord",
-                        "[motion]: chord = " + exact_text(*spec.chord) +
-                            " is too small, since rounding of the keys moves two bodies by up to " +
-                            exact_text(moved) + "; make it at least " +
-                            exact_text(moved / grid_share));
-}
-
 /// Takes the scenarios of pairs of bodies.
 Status take_pairs(const JobSpec& spec,
                   std::vector<PlacedBody> bodies,
@@ -90,7 +77,7 @@ Status take_pairs(const JobSpec& spec,
                                prepared.ignored);
     auto made = CD_TRY(ScenePoses::create(
         scene_of(std::move(bodies), std::move(ignored), prepared.query), std::move(poses), stop));
-    CD_TRY(check_chord(spec, *made));
+    CD_TRY(check_chord(spec, 2 * made->moved_between().value_or(0)));
     prepared.steps = made->steps();
     prepared.facts.absences.assign(made->absences().begin(), made->absences().end());
     prepared.facts.moved = made->moved();

@@ -59,7 +59,7 @@ std::uint64_t count_open_files() {
 } // namespace
 
 ProcessFigures process_figures() {
-    // Indices of fields in proc(5), less the three before the first of `stat_fields`.
+    // `stat_fields` begins with field 3, so that it has field n of proc(5) at index n - 3.
     constexpr std::size_t threads = 17;
     constexpr std::size_t start = 19;
     constexpr std::size_t virtual_bytes = 20;

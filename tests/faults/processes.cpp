@@ -151,7 +151,7 @@ asio::awaitable<void> ClientProcess::run() {
 void ClientProcess::submit(Channel& channel) const {
     Submit message = job_.submit;
     message.cluster = options_;
-    // By the client's number and not drawn, so that the seeds' schedules stay as they are.
+    // The priority follows from the client's number: a drawn one would change each seed's schedule.
     message.priority = static_cast<std::int32_t>(host_.id % 3) - 1;
     channel.send(message);
     if (!message.grid) {

@@ -1,4 +1,4 @@
-// What `cdctl doctor` says of this machine and its user.
+// Checks of `cdctl doctor` on this machine: processor, memory, tree cache, credential.
 #pragma once
 
 #include "client/commands/doctor/finding.hpp"

@@ -37,6 +37,7 @@
 // nothing either.
 #include "common/tree/planes/plane_kernel.hpp"
 
+#include "common/core/prefetch.hpp"
 #include "common/geometry/highway_targets.hpp"
 #include "common/tree/planes/support_view.hpp"
 

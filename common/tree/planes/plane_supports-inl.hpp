@@ -133,14 +133,6 @@ HWY_INLINE Found farthest_vertex(
     return found_in(d, best);
 }
 
-HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
-    constexpr std::size_t line = 64;
-    const char* const begin = static_cast<const char*>(from);
-    for (std::size_t i = 0; i < bytes + line - 1; i += line) {
-        __builtin_prefetch(begin + i);
-    }
-}
-
 HWY_INLINE float relative(double coordinate, float center) {
     return static_cast<float>(coordinate - static_cast<double>(center));
 }

@@ -62,6 +62,7 @@
 // An infinite margin and a comparison with NaN both count as no separation.
 #include "common/tree/wide/wide_kernel.hpp"
 
+#include "common/core/prefetch.hpp"
 #include "common/geometry/highway_targets.hpp"
 
 #include <algorithm>
@@ -88,13 +89,6 @@ struct Visit {
     alignas(64) float least_a[children]; ///< Of A's children, against the pose's direction.
     alignas(64) float least_b[children];
 };
-
-HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
-    const auto* line = static_cast<const char*>(from);
-    for (std::size_t i = 0; i < bytes; i += 64) {
-        __builtin_prefetch(line + i);
-    }
-}
 
 /// Prefetches the triangles of a leaf, sized for the vertex count that most leaves have.
 HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {

@@ -1,8 +1,7 @@
 // Proves, with real processes, that a scene of many bodies runs here and on a cluster to one
 // digest, that its results folder can be verified, run again, reused, compared and extracted from,
 // and that a job on a master becomes the folder that `run --master` writes.
-#include "tests/cluster/cdctl_runs.hpp"
-#include "tests/cluster/cluster_fixture.hpp"
+#include "tests/cluster/folder/cluster_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class SceneFolder : public Cluster {
+class SceneFolder : public ClusterFolder {
   protected:
     SceneFolder() {
         write_obj(folder_ / "ring.obj", make_torus(1.0, 0.4, 24, 12));
@@ -46,33 +45,6 @@ class SceneFolder : public Cluster {
                    "wall = { mesh = \"ball.obj\", pose = [3, 1, 0, 0, 0, 0, 1], quat_order = "
                    "\"xyzw\" }\n[poses]\nfile = \"poses.csv\"\nabsent = \"nan\"\n[rules]\n" +
                        rules + "\n[query]\n" + query + "\n");
-    }
-    [[nodiscard]] Ran cdctl_here(std::vector<std::string> words) {
-        words.insert(words.begin(), cdctl());
-        return tests::run(words);
-    }
-    [[nodiscard]] Ran cdctl_at_master(std::vector<std::string> words) {
-        words.insert(words.end(), {"--master", master_->address()});
-        return cdctl_here(std::move(words));
-    }
-    /// Runs the job into a folder. Returns its manifest.
-    nlohmann::json run_into(const std::string& name, std::vector<std::string> more = {}) {
-        std::vector<std::string> words{"run", folder_ / "job.toml", "--out", folder_ / name};
-        words.insert(words.end(), more.begin(), more.end());
-        const Ran ran = cdctl_here(words);
-        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
-        return read_json(name, "run.json");
-    }
-    [[nodiscard]] nlohmann::json read_json(const std::string& name, const std::string& file) {
-        return nlohmann::json::parse(read_text(folder_ / name / file));
-    }
-    [[nodiscard]] std::string read(const std::string& name, const std::string& file) {
-        return read_text(folder_ / name / file);
-    }
-    [[nodiscard]] std::string id_of_last_job() {
-        const Ran jobs = cdctl_at_master({"get", "jobs", "-o", "name"});
-        const std::string ids = jobs.output.substr(0, jobs.output.find_last_not_of('\n') + 1);
-        return ids.substr(ids.rfind('\n') + 1);
     }
 };
 

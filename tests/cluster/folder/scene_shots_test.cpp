@@ -1,8 +1,7 @@
 // Proves, with real processes, that lines through a scene have one digest and equal files here and
 // on a cluster, that their folder can be verified, exported, reported, compared, extracted from and
 // run again, with or without its inputs, and that mistakes end a run with exit code 2.
-#include "tests/cluster/cdctl_runs.hpp"
-#include "tests/cluster/cluster_fixture.hpp"
+#include "tests/cluster/folder/cluster_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class SceneShotsFolder : public Cluster {
+class SceneShotsFolder : public ClusterFolder {
   protected:
     SceneShotsFolder() {
         write_obj(folder_ / "ring.obj", make_torus(1.0, 0.4, 24, 12));
@@ -56,37 +55,10 @@ class SceneShotsFolder : public Cluster {
                    "[shots]\n" +
                        lines + more);
     }
-    [[nodiscard]] Ran cdctl_here(std::vector<std::string> words) {
-        words.insert(words.begin(), cdctl());
-        return tests::run(words);
-    }
-    [[nodiscard]] Ran cdctl_at_master(std::vector<std::string> words) {
-        words.insert(words.end(), {"--master", master_->address()});
-        return cdctl_here(std::move(words));
-    }
-    /// Runs the job into a folder. Returns its manifest.
+    /// Runs the job into a folder, in all formats. Returns its manifest.
     nlohmann::json run_into(const std::string& name, std::vector<std::string> more = {}) {
-        std::vector<std::string> words{"run",
-                                       folder_ / "job.toml",
-                                       "--formats",
-                                       "csv,csv-pairs,npz,json",
-                                       "--out",
-                                       folder_ / name};
-        words.insert(words.end(), more.begin(), more.end());
-        const Ran ran = cdctl_here(words);
-        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
-        return read_json(name, "run.json");
-    }
-    [[nodiscard]] nlohmann::json read_json(const std::string& name, const std::string& file) {
-        return nlohmann::json::parse(read_text(folder_ / name / file));
-    }
-    [[nodiscard]] std::string read(const std::string& name, const std::string& file) {
-        return read_text(folder_ / name / file);
-    }
-    [[nodiscard]] std::string id_of_last_job() {
-        const Ran jobs = cdctl_at_master({"get", "jobs", "-o", "name"});
-        const std::string ids = jobs.output.substr(0, jobs.output.find_last_not_of('\n') + 1);
-        return ids.substr(ids.rfind('\n') + 1);
+        more.insert(more.end(), {"--formats", "csv,csv-pairs,npz,json"});
+        return ClusterFolder::run_into(name, std::move(more));
     }
     /// Returns the rows of a table without its header and so many first columns.
     static std::vector<std::string> rows_after(const std::string& text, int columns) {
