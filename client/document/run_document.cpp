@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -240,7 +241,11 @@ Html RunDocument::most_hits_of_scene() const {
 }
 
 Result<Html> RunDocument::coincidence(const StopCheck& stop) const {
-    if (job_.meshes[0]->hash() != job_.meshes[1]->hash()) {
+    std::set<Sha256> hashes;
+    for (const auto& mesh : job_.meshes) {
+        hashes.insert(mesh->hash());
+    }
+    if (hashes.size() == job_.meshes.size()) {
         return Html();
     }
     std::uint64_t count = 0;
@@ -252,16 +257,20 @@ Result<Html> RunDocument::coincidence(const StopCheck& stop) const {
         const auto scenarios = CD_TRY(
             job_.poses->read(first, std::min(coincidences_at_once, job_.poses->count() - first)));
         for (const Scenario& scenario : scenarios) {
-            if (coincide(scenario.poses)) {
+            const Mesh& a = *job_.meshes[scenario.body_a];
+            const Mesh& b = *job_.meshes[scenario.body_b];
+            if (a.hash() == b.hash() && coincide(scenario.poses)) {
                 some += count < 10 ? " #" + std::to_string(scenario.index) : "";
                 ++count;
             }
         }
     }
-    return count == 0 ? Html()
-                      : paragraph("B coincides with A in " + counted(count, "scenario") + ":" +
-                                      some + (count > 10 ? " ..." : ""),
-                                  "warning");
+    return count == 0
+               ? Html()
+               : paragraph((job_.scene ? "Two bodies of one mesh coincide in "
+                                       : "B coincides with A in ") +
+                               counted(count, "scenario") + ":" + some + (count > 10 ? " ..." : ""),
+                           "warning");
 }
 
 Result<Html> RunDocument::charts(const StopCheck& stop) const {

@@ -8,6 +8,7 @@
 #include "common/shots/bundle/bundle_search.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/prefetch.hpp"
 #include "common/shots/line_hit.hpp"
 
 #include <algorithm>
@@ -20,13 +21,6 @@ namespace {
 
 /// The search returns to its caller once it has found so many pairs.
 constexpr std::size_t found_at_once = 512;
-
-void prefetch(const void* from, std::size_t bytes) {
-    const auto* line = static_cast<const char*>(from);
-    for (std::size_t i = 0; i < bytes; i += 64) {
-        __builtin_prefetch(line + i);
-    }
-}
 
 /// Prefetches a block's corners and vertices.
 void prefetch_block(const TriangleBlocks& blocks, std::uint32_t block) {

@@ -348,6 +348,21 @@ TEST_F(ReportFile, SaysWhereBCoincidesWithA) {
     EXPECT_THAT(html(), HasSubstr("B coincides with A in 1 scenario: #1"));
 }
 
+TEST_F(ReportFile, SaysWhereBodiesOfOneMeshCoincideInAScene) {
+    write_text(folder_ / "a.obj", tetrahedron("body", 5, 1));
+    write_text(folder_ / "b.obj", tetrahedron("post", 0, 1));
+    write_text(folder_ / "poses.csv",
+               "step,body,x\n0,post.0,1\n0,post.1,1.5\n1,post.0,1\n1,post.1,1\n");
+    write_text(folder_ / "job.toml",
+               "[bodies]\nground = { mesh = \"a.obj\", pose = [0, 0, 0, 1, 0, 0, 0], "
+               "quat_order = \"wxyz\" }\n"
+               "post = { mesh = \"b.obj\", count = 2 }\n[poses]\nfile = \"poses.csv\"\n"
+               "[output]\ndir = \"out\"\n");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(html(), HasSubstr("Two bodies of one mesh coincide in 1 scenario: #1"));
+}
+
 TEST_F(ReportFile, ShowsWhatPeopleDecided) {
     write_job("wheel_left", "body", "");
     run_job();
