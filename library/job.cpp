@@ -36,7 +36,7 @@ Results read_folder(const std::filesystem::path& folder,
     const cd::ExportContext context = value_of(cd::export_context(run));
     ResultArrays results(each_window, names_of(context));
     results.number_steps(context.steps);
-    check(run.records().for_each([&](const cd::KeptRecord& record) -> cd::Status {
+    check(run.records().for_each([&](const cd::RecordView& record) -> cd::Status {
         results.add(record.result, {});
         return cd::Done{};
     }));

@@ -23,7 +23,7 @@ Status for_each_scenario(const ReadRun& run,
         }
         return Done{};
     };
-    const Status read = run.records.for_each([&](const KeptRecord& record) -> Status {
+    const Status read = run.records.for_each([&](const RecordView& record) -> Status {
         if (stop && stop()) {
             return interrupted();
         }

@@ -23,7 +23,7 @@ Result<std::vector<bool>> reusable_in(const RecordFile& records,
                                       bool has_maps,
                                       const StopCheck& stop) {
     std::vector<bool> reusable(scenarios);
-    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
+    CD_TRY(records.for_each([&](const RecordView& record) -> Status {
         if (stop && stop()) {
             return interrupted();
         }

@@ -21,7 +21,7 @@ Result<RunOverview> RunOverview::read(const RecordFile& records,
     const std::size_t bodies = groups.bodies();
     RunOverview overview(std::move(groups), scenarios);
     ResultMerger merger(scenarios, scene);
-    CD_TRY(records.for_each([&](const KeptRecord& record) {
+    CD_TRY(records.for_each([&](const RecordView& record) {
         if (stop && stop()) {
             return Status(interrupted());
         }

@@ -18,7 +18,7 @@ constexpr std::size_t parts_max = 100;
 /// Calls `take` with each result.
 template <class Take>
 Status for_each_shot(const RecordFile& records, const StopCheck& stop, Take take) {
-    return records.for_each([&](const KeptRecord& record) -> Status {
+    return records.for_each([&](const RecordView& record) -> Status {
         if (stop && stop()) {
             return interrupted();
         }

@@ -1,4 +1,5 @@
 #include "client/export/result_writer.hpp"
+#include "client/formats/csv_rows.hpp"
 #include "client/formats/part_finder.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/words.hpp"
@@ -66,26 +67,33 @@ class TextWriter final : public ResultWriter {
     }
 
     Status add(const ScenarioResult& result) override {
-        std::string text = std::to_string(result.index) + "  " + place_text(result) +
-                           std::string(to_text(result.kind));
+        text_.clear();
+        text_.add(result.index, "  ", place_text(result), to_text(result.kind));
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
-            text += is_undecided_contact(result) ? "  at least " : "  ";
             const bool is_shots = result.question == Question::Shots;
-            text += counted(result.pair_count, is_shots ? "hit" : "pair");
-            text += result.has_clearance ? ", " + grouped(result.near_count) + " near" : "";
+            text_.add(is_undecided_contact(result) ? "  at least " : "  ",
+                      counted(result.pair_count, is_shots ? "hit" : "pair"));
+            if (result.has_clearance) {
+                text_.add(", ", grouped(result.near_count), " near");
+            }
         }
-        text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
-                (result.kind == ScenarioClass::Undecided ? bound_text(result) : "") +
-                motion_text(result) + nearest_text(result) +
-                (result.surfaces_only ? "  surfaces only" : "") +
-                (result.insides_skipped ? "  containment not tested" : "") +
-                (result.failure.empty() ? "" : "  " + result.failure) + "\n";
+        if (result.is_cut()) {
+            text_.add(", the first ", grouped(result.pairs.size()));
+        }
+        text_.add(result.kind == ScenarioClass::Undecided ? bound_text(result) : "",
+                  motion_text(result),
+                  nearest_text(result),
+                  result.surfaces_only ? "  surfaces only" : "",
+                  result.insides_skipped ? "  containment not tested" : "",
+                  result.failure.empty() ? "" : "  ",
+                  result.failure,
+                  "\n");
         const std::vector<double> distances =
             result.near_distances.empty() ? std::vector<double>() : pair_distances(result);
         for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-            text += pair_text(result, i, distances);
+            text_.add(pair_text(result, i, distances));
         }
-        return file_.write(text);
+        return file_.write(text_.text());
     }
 
     Status finish() override { return file_.commit(); }
@@ -142,6 +150,7 @@ class TextWriter final : public ResultWriter {
     std::optional<double> up_to_;
     MotionTimes times_;
     OutputFile file_;
+    TextBuffer text_; ///< Of one scenario.
 };
 
 } // namespace

@@ -101,7 +101,7 @@ Result<RunReport>
 write_exports(const OpenedRun& run, const SinkOptions& options, const ExportContext& context) {
     auto sink = CD_TRY(ResultSink::open(options, context));
     ResultMerger merger(run.manifest().poses.count, run.manifest().scene_head());
-    CD_TRY(run.records().for_each([&](const KeptRecord& record) {
+    CD_TRY(run.records().for_each([&](const RecordView& record) {
         static_cast<void>(merger.add(record.result, digest_of_record(record.bytes)));
         return sink.add(record.result);
     }));

@@ -167,7 +167,7 @@ Status FolderRun::open_files(PreparedJob& job) {
 Result<ResultMerger> FolderRun::done() const {
     ResultMerger merger = merger_of(*job_);
     const auto records = CD_TRY(RecordFile::open_unfinished(folder_.part() / "records"));
-    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
+    CD_TRY(records.for_each([&](const RecordView& record) -> Status {
         if (InterruptGuard::has_come()) {
             return interrupted();
         }
@@ -241,7 +241,7 @@ Status FolderRun::finish(RunReport& report,
     SinkOptions options{folder_.out(), manifest_.formats, output};
     options.learn = job_->spec.scene ? job_->spec.scene->rules.learn : std::nullopt;
     auto sink = CD_TRY(ResultSink::open(std::move(options), context));
-    CD_TRY(records.for_each([&](const KeptRecord& record) { return sink.add(record.result); }));
+    CD_TRY(records.for_each([&](const RecordView& record) { return sink.add(record.result); }));
     if (!job_->query.maps && job_->query.level >= Level::Pairs) {
         report.map = sink.map();
     }

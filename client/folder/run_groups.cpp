@@ -34,7 +34,7 @@ Result<GroupSum> begin_groups(const Query& query,
 }
 
 Result<GroupSum> groups_of(const RecordFile& records, GroupSum begun, const StopCheck& stop) {
-    CD_TRY(records.for_each([&](const KeptRecord& record) {
+    CD_TRY(records.for_each([&](const RecordView& record) {
         if (stop && stop()) {
             return Status(interrupted());
         }

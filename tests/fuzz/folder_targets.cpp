@@ -46,7 +46,7 @@ void check_records(const Result<RecordFile>& file) {
     }
     std::uint64_t count = 0;
     std::uint64_t index_min = 0;
-    const Status read = file.value().for_each([&](const KeptRecord& record) -> Status {
+    const Status read = file.value().for_each([&](const RecordView& record) -> Status {
         require(record.result.index >= index_min, "records ascend");
         require(encode_result(record.result) == record.bytes, "records are canonical");
         index_min = record.result.index + 1;

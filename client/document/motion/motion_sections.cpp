@@ -43,7 +43,7 @@ MotionSections::MotionSections(const PreparedJob& job, MotionTimes times)
 Result<MotionSections>
 MotionSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
     MotionSections sections(job, export_context(job).times);
-    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
+    CD_TRY(records.for_each([&](const RecordView& record) -> Status {
         if (stop && stop()) {
             return interrupted();
         }

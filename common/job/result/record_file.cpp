@@ -1,11 +1,14 @@
 #include "common/job/result/record_file.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
+#include <string_view>
 
 namespace cd {
 
@@ -16,31 +19,14 @@ constexpr std::uint64_t block_records_max = 4096;
 /// A block is full once its uncompressed records have this many bytes.
 constexpr std::uint64_t block_bytes_enough = 4u << 20;
 
-/// Decodes records, each preceded by its length. Errors: those of `decode_result`; Io unless there
-/// are `block.count` records, in ascending order from scenario `block.first`.
-Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
-                                           const BlockPlace& block) {
-    std::vector<KeptRecord> records;
-    ByteReader in(bytes);
-    while (in.remaining() != 0) {
-        const auto record = in.get_bytes(in.get<std::uint32_t>());
-        if (in.failed()) {
-            return Error{ErrorCode::Io, "a record is cut short"};
-        }
-        Result<ScenarioResult> result = decode_result(record);
-        if (!result) {
-            return result.error();
-        }
-        const std::uint64_t index = result.value().index;
-        if (records.empty() ? index != block.first : index <= records.back().result.index) {
-            return Error{ErrorCode::Io, "records are out of their order"};
-        }
-        records.push_back({Bytes(record.begin(), record.end()), std::move(result.value())});
+/// Decodes the next record, preceded by its length. Errors: those of `decode_result`; Io if it is
+/// cut short.
+Result<ScenarioResult> next_record(ByteReader& in, std::span<const std::byte>& record) {
+    record = in.get_bytes(in.get<std::uint32_t>());
+    if (in.failed()) {
+        return Error{ErrorCode::Io, "a record is cut short"};
     }
-    if (records.size() != block.count) {
-        return Error{ErrorCode::Io, "a block has another number of records"};
-    }
-    return records;
+    return decode_result(record);
 }
 
 } // namespace
@@ -55,27 +41,50 @@ Result<RecordFile> RecordFile::open_unfinished(const std::filesystem::path& path
     return file ? Result<RecordFile>(RecordFile(std::move(file.value()))) : file.error();
 }
 
-Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
-    const Result<Bytes> packed = file_.read(block);
-    if (!packed) {
-        return packed.error();
-    }
-    const auto damaged = [&](const Error& error) {
-        return Error{ErrorCode::Io, file_.path().string() + " is damaged: " + error.detail};
+Status RecordFile::for_each_of(std::size_t block,
+                               const std::function<Status(const RecordView&)>& take) const {
+    const auto damaged = [&](std::string_view detail) {
+        return Error{ErrorCode::Io, file_.path().string() + " is damaged: " + std::string(detail)};
     };
-    const Result<Bytes> bytes = unpack_records(packed.value(), limits::results_bytes_max);
+    const Bytes packed = CD_TRY(file_.read(block));
+    const Result<Bytes> bytes = unpack_records(packed, limits::results_bytes_max);
     if (!bytes) {
-        return damaged(bytes.error());
+        return damaged(bytes.error().detail);
     }
-    auto records = records_in(bytes.value(), file_.blocks()[block]);
-    if (!records) {
-        return damaged(records.error());
-    }
+    const BlockPlace& place = file_.blocks()[block];
     // A block's scenarios may have gaps, so the table does not give the last one.
-    if (block + 1 < blocks() &&
-        records.value().back().result.index >= file_.blocks()[block + 1].first) {
-        return damaged({ErrorCode::Io, "the scenarios of two blocks overlap"});
+    const std::uint64_t end = block + 1 < blocks() ? file_.blocks()[block + 1].first
+                                                   : std::numeric_limits<std::uint64_t>::max();
+    ByteReader in(bytes.value());
+    std::uint64_t least = place.first;
+    std::uint64_t count = 0;
+    for (; in.remaining() != 0; ++count) {
+        std::span<const std::byte> record;
+        Result<ScenarioResult> result = next_record(in, record);
+        if (!result) {
+            return damaged(result.error().detail);
+        }
+        const std::uint64_t index = result.value().index;
+        if (index < least || (count == 0 && index != least)) {
+            return damaged("records are out of their order");
+        }
+        if (index >= end) {
+            return damaged("the scenarios of two blocks overlap");
+        }
+        least = index + 1;
+        CD_TRY(take({record, result.value()}));
     }
+    return count == place.count ? Status(Done{}) : damaged("a block has another number of records");
+}
+
+Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
+    std::vector<KeptRecord> records;
+    records.reserve(std::min(file_.blocks()[block].count, block_records_max));
+    CD_TRY(for_each_of(block, [&](const RecordView& record) -> Status {
+        records.push_back(
+            {Bytes(record.bytes.begin(), record.bytes.end()), std::move(record.result)});
+        return Done{};
+    }));
     return records;
 }
 
@@ -98,17 +107,9 @@ Result<const KeptRecord*> RecordFile::find(std::uint64_t scenario) {
     return found != kept_.end() && found->result.index == scenario ? &*found : none;
 }
 
-Status RecordFile::for_each(const std::function<Status(const KeptRecord&)>& take) const {
+Status RecordFile::for_each(const std::function<Status(const RecordView&)>& take) const {
     for (std::size_t block = 0; block < blocks(); ++block) {
-        const auto records = read(block);
-        if (!records) {
-            return records.error();
-        }
-        for (const KeptRecord& record : records.value()) {
-            if (Status taken = take(record); !taken) {
-                return taken;
-            }
-        }
+        CD_TRY(for_each_of(block, take));
     }
     return Done{};
 }

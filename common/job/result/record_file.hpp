@@ -23,6 +23,12 @@ struct KeptRecord {
     ScenarioResult result;
 };
 
+/// The same while a file is read; valid until the next record. The result may be moved from.
+struct RecordView {
+    std::span<const std::byte> bytes;
+    ScenarioResult& result;
+};
+
 /// Reads a block file (block_file.hpp) of records in ascending order of their scenarios. A block
 /// has at most 4,096 records, packed by `pack_records`. Scenarios without a result have no record.
 class RecordFile {
@@ -40,12 +46,14 @@ class RecordFile {
     /// call. The last block is cached, so that lookups in ascending order read each block once. One
     /// thread at a time may call this. Errors: Io naming the file.
     [[nodiscard]] Result<const KeptRecord*> find(std::uint64_t scenario);
-    /// Calls `take` with each record in order; an error of `take` ends the loop. Errors: Io, those
-    /// of `take`.
-    [[nodiscard]] Status for_each(const std::function<Status(const KeptRecord&)>& take) const;
+    /// Calls `take` with each record in order, up to a damaged one; an error of `take` ends the
+    /// loop. Errors: Io naming the file, those of `take`.
+    [[nodiscard]] Status for_each(const std::function<Status(const RecordView&)>& take) const;
 
   private:
     explicit RecordFile(BlockFile file) : file_(std::move(file)) {}
+    [[nodiscard]] Status for_each_of(std::size_t block,
+                                     const std::function<Status(const RecordView&)>& take) const;
 
     BlockFile file_;
     std::optional<std::size_t> kept_block_;

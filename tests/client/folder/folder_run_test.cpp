@@ -370,7 +370,7 @@ TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
     const auto records = RecordFile::open(folder_ / "long" / "records");
     ASSERT_TRUE(records);
     std::uint64_t seen = 0;
-    ASSERT_TRUE(records.value().for_each([&](const KeptRecord& record) {
+    ASSERT_TRUE(records.value().for_each([&](const RecordView& record) {
         EXPECT_EQ(record.result.index, seen++);
         return Status(Done{});
     }));

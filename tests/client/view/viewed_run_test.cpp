@@ -28,7 +28,7 @@ class ViewedRecords : public Viewed {
     [[nodiscard]] std::vector<ScenarioResult> records() const {
         std::vector<ScenarioResult> results;
         const auto run = OpenedRun::open(folder_ / "out");
-        EXPECT_TRUE(run.value().records().for_each([&](const KeptRecord& record) {
+        EXPECT_TRUE(run.value().records().for_each([&](const RecordView& record) {
             results.push_back(record.result);
             return Status(Done{});
         }));

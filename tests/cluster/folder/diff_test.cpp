@@ -176,7 +176,7 @@ TEST_F(DiffOfRuns, MissingResultsAreToldAndLeaveTheQuestionOpen) {
         auto kept = RecordFile::open(folder_ / "new" / "records");
         auto writer = RecordWriter::create(folder_ / "fewer");
         ASSERT_TRUE(kept && writer);
-        ASSERT_TRUE(kept.value().for_each([&](const KeptRecord& record) -> Status {
+        ASSERT_TRUE(kept.value().for_each([&](const RecordView& record) -> Status {
             if (record.result.index != 2 && record.result.index != 3) {
                 writer.value().add(record.result.index, record.bytes);
             }

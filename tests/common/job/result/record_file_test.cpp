@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace cd::tests {
@@ -56,9 +57,9 @@ class RecordFiles : public testing::Test {
     /// 0.
     static std::uint64_t checked(const RecordFile& file) {
         std::uint64_t next = 0;
-        const Status read = file.for_each([&](const KeptRecord& record) -> Status {
+        const Status read = file.for_each([&](const RecordView& record) -> Status {
             EXPECT_EQ(record.result.index, next);
-            EXPECT_EQ(record.bytes, encode_result(result_of(next)));
+            EXPECT_TRUE(std::ranges::equal(record.bytes, encode_result(result_of(next))));
             ++next;
             return Done{};
         });
@@ -185,7 +186,7 @@ TEST_F(RecordFiles, DamageIsAnErrorOrEndsTheFile) {
         // Bytes 12 to 15 have no meaning.
         const auto opened = RecordFile::open(path_);
         const Status read =
-            opened ? opened.value().for_each([](const KeptRecord&) -> Status { return Done{}; })
+            opened ? opened.value().for_each([](const RecordView&) -> Status { return Done{}; })
                    : Status(opened.error());
         EXPECT_EQ(read.has_value(), at >= 12 && at < 16);
         if (!read) {
@@ -207,7 +208,7 @@ TEST_F(RecordFiles, BlocksWhoseScenariosOverlapAreDamage) {
     }
     auto file = RecordFile::open(path_);
     ASSERT_TRUE(file) << file.error().detail;
-    const Status read = file.value().for_each([](const KeptRecord&) -> Status { return Done{}; });
+    const Status read = file.value().for_each([](const RecordView&) -> Status { return Done{}; });
     ASSERT_FALSE(read);
     EXPECT_THAT(read.error().detail, HasSubstr(path_.string() + " is damaged"));
     EXPECT_FALSE(file.value().find(0));
