@@ -55,7 +55,8 @@ A job.toml has the keys name, unit, and the tables
              or "a/wheel_*", with the body's name; \ before / * ? [ in names;
              maps = true: from level count on, map.csv and map.npz say in how many scenarios each
              triangle was in contact, and groups.csv each pair of parts, also at level count
-  [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text", "vtp", "glb"]
+  [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "h5", "json", "text", "vtp",
+             "glb"]
   [cluster]  strategy = "earliest-finish", depth = "auto" | { a = 12, b = 6 }, v_kb = 4096
              strategy: as --strategy; with the paper's also q = 20 and claim = true
              analysis = "auto": the master finds which parts collide (always), or leaves it
@@ -135,6 +136,7 @@ inline constexpr const char* results_help =
     R"(Exports the results of a folder in more formats, or fetches those of a job on a master.
 Examples:
   cdctl results out --formats npz,csv-pairs           more formats; runs nothing
+  cdctl results out --formats h5                      the arrays for MATLAB and Julia
   cdctl results out --formats vtp,glb                 heat maps for ParaView and Blender
   cdctl results out -o csv > scenarios.csv
   cdctl results j-5692 --out out --formats csv,npz
@@ -146,7 +148,7 @@ pairs: 1 touch, 2 coplanar, 3 proper.
   surfaces_only   a body is open, so containment was not tested
   insides_skipped triangles are ignored, so that nothing is said of the rest's insides
   distance_bound  undecided scenarios: the bodies are at most this far apart
-npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j
+npz and h5: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j
 points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit.
 vtp: a.vtp and b.vtp (by the bodies' names) have in how many scenarios each triangle was in
 contact; at level contacts contacts.vtp has the shared points. glb: a.glb and b.glb, whose

@@ -180,14 +180,14 @@ void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_
     add("--formats",
         formats,
         "LIST",
-        "csv, csv-pairs, npz, json, text, vtp, glb (default csv,npz); csv has one row per "
+        "csv, csv-pairs, npz, h5, json, text, vtp, glb (default csv,npz); csv has one row per "
         "scenario, and one per pair of parts, csv-pairs one per pair; vtp (ParaView) and glb "
         "(Blender) have heat maps")
         ->delimiter(',')
         ->group(results_group);
     verb.add_flag("--exact-points",
                   exact_points,
-                  "In npz also points at full precision, relative to point_origins")
+                  "In npz and h5 also points at full precision, relative to point_origins")
         ->group(results_group);
 }
 

@@ -1,20 +1,22 @@
 #include "client/export/result_writer.hpp"
-#include "client/formats/npz.hpp"
+#include "client/formats/array_file.hpp"
 #include "common/job/result/drawn_witness.hpp"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
 
 namespace {
 
-/// What a job must have or ask for so that the archive has an array.
-enum class NpzNeed : std::uint8_t {
+/// What a job must have or ask for so that the file has an array.
+enum class ArrayNeed : std::uint8_t {
     Nothing,
-    Pairs,     ///< `level pairs` or above, unless shots.npz has the pairs.
+    Pairs,     ///< `level pairs` or above, unless shots.npz or shots.h5 has the pairs.
     Contacts,  ///< `level contacts`.
     Exact,     ///< `level contacts`, and exact points.
     Clearance, ///< A clearance.
@@ -25,17 +27,17 @@ enum class NpzNeed : std::uint8_t {
     Motion,    ///< The question of motions.
 };
 
-/// An array of results.npz; docs/formats.md describes each.
-struct NpzColumn {
+/// An array of the results; docs/formats.md describes each.
+struct ArrayColumn {
     const char* name;
     NpyType type;
     std::uint64_t columns = 0; ///< Columns of an array of rows; 0: the array has one dimension.
-    NpzNeed need = NpzNeed::Nothing;
+    ArrayNeed need = ArrayNeed::Nothing;
     std::uint64_t rows_each = 1; ///< Above 1: so many rows a scenario, in a dimension of their own.
 };
 
-/// The arrays in the order of the archive.
-constexpr std::array<NpzColumn, 30> columns{
+/// The arrays in the order of the file.
+constexpr std::array<ArrayColumn, 30> columns{
     {{"index", NpyType::U8},
      {"body_a", NpyType::U4},
      {"body_b", NpyType::U4},
@@ -44,28 +46,28 @@ constexpr std::array<NpzColumn, 30> columns{
      {"distance_bound", NpyType::F8},
      {"surfaces_only", NpyType::U1},
      {"insides_skipped", NpyType::U1},
-     {"offsets", NpyType::U8, 0, NpzNeed::Pairs},
-     {"pairs", NpyType::U4, 2, NpzNeed::Pairs},
-     {"pair_class", NpyType::U1, 0, NpzNeed::Pairs},
-     {"point_offsets", NpyType::U8, 0, NpzNeed::Contacts},
-     {"points_world", NpyType::F8, 3, NpzNeed::Contacts},
-     {"point_origins", NpyType::F8, 3, NpzNeed::Exact},
-     {"points", NpyType::F8, 3, NpzNeed::Exact},
-     {"near_count", NpyType::U8, 0, NpzNeed::Clearance},
-     {"pair_distance", NpyType::F8, 0, NpzNeed::Distances},
-     {"distance", NpyType::F8, 0, NpzNeed::Nearest},
-     {"witness", NpyType::U4, 2, NpzNeed::Nearest},
-     {"feature", NpyType::U1, 0, NpzNeed::Nearest},
-     {"witness_points", NpyType::F8, 3, NpzNeed::Nearest, 2},
-     {"witness_origin", NpyType::F8, 3, NpzNeed::Offsets},
-     {"witness_offsets", NpyType::F8, 3, NpzNeed::Offsets, 2},
-     {"step", NpyType::U8, 0, NpzNeed::Steps},
-     {"end", NpyType::U1, 0, NpzNeed::Motion},
-     {"depth", NpyType::U1, 0, NpzNeed::Motion},
-     {"t0", NpyType::U4, 0, NpzNeed::Motion},
-     {"t1", NpyType::U4, 0, NpzNeed::Motion},
-     {"run_offsets", NpyType::U8, 0, NpzNeed::Motion},
-     {"runs", NpyType::U4, 5, NpzNeed::Motion}}};
+     {"offsets", NpyType::U8, 0, ArrayNeed::Pairs},
+     {"pairs", NpyType::U4, 2, ArrayNeed::Pairs},
+     {"pair_class", NpyType::U1, 0, ArrayNeed::Pairs},
+     {"point_offsets", NpyType::U8, 0, ArrayNeed::Contacts},
+     {"points_world", NpyType::F8, 3, ArrayNeed::Contacts},
+     {"point_origins", NpyType::F8, 3, ArrayNeed::Exact},
+     {"points", NpyType::F8, 3, ArrayNeed::Exact},
+     {"near_count", NpyType::U8, 0, ArrayNeed::Clearance},
+     {"pair_distance", NpyType::F8, 0, ArrayNeed::Distances},
+     {"distance", NpyType::F8, 0, ArrayNeed::Nearest},
+     {"witness", NpyType::U4, 2, ArrayNeed::Nearest},
+     {"feature", NpyType::U1, 0, ArrayNeed::Nearest},
+     {"witness_points", NpyType::F8, 3, ArrayNeed::Nearest, 2},
+     {"witness_origin", NpyType::F8, 3, ArrayNeed::Offsets},
+     {"witness_offsets", NpyType::F8, 3, ArrayNeed::Offsets, 2},
+     {"step", NpyType::U8, 0, ArrayNeed::Steps},
+     {"end", NpyType::U1, 0, ArrayNeed::Motion},
+     {"depth", NpyType::U1, 0, ArrayNeed::Motion},
+     {"t0", NpyType::U4, 0, ArrayNeed::Motion},
+     {"t1", NpyType::U4, 0, ArrayNeed::Motion},
+     {"run_offsets", NpyType::U8, 0, ArrayNeed::Motion},
+     {"runs", NpyType::U4, 5, ArrayNeed::Motion}}};
 constexpr std::size_t offsets = 8;
 constexpr std::size_t pairs = 9;
 constexpr std::size_t pair_class = 10;
@@ -89,47 +91,45 @@ constexpr std::size_t motion_t1 = 27;
 constexpr std::size_t run_offsets = 28;
 constexpr std::size_t motion_runs = 29;
 
-/// The place of an array that the archive does not have.
+/// The place of an array that the file does not have.
 constexpr std::size_t no_place = columns.size();
 
-bool is_met(NpzNeed need, const ExportContext& context) {
+bool is_met(ArrayNeed need, const ExportContext& context) {
     const bool has_contacts = context.level == Level::Contacts;
     switch (need) {
-    case NpzNeed::Nothing:
+    case ArrayNeed::Nothing:
         break;
-    case NpzNeed::Pairs:
+    case ArrayNeed::Pairs:
         return context.level >= Level::Pairs && !context.has_hits();
-    case NpzNeed::Contacts:
+    case ArrayNeed::Contacts:
         return has_contacts;
-    case NpzNeed::Exact:
+    case ArrayNeed::Exact:
         return has_contacts && context.exact_points;
-    case NpzNeed::Clearance:
+    case ArrayNeed::Clearance:
         return context.clearance.has_value();
-    case NpzNeed::Distances:
+    case ArrayNeed::Distances:
         return has_contacts && context.clearance.has_value();
-    case NpzNeed::Nearest:
+    case ArrayNeed::Nearest:
         return context.has_distance();
-    case NpzNeed::Offsets:
+    case ArrayNeed::Offsets:
         return context.has_distance() && context.exact_points;
-    case NpzNeed::Steps:
+    case ArrayNeed::Steps:
         return context.steps != nullptr;
-    case NpzNeed::Motion:
+    case ArrayNeed::Motion:
         return context.has_motions();
     }
     return true;
 }
 
-class NpzResults final : public ResultWriter {
+class ArrayResults final : public ResultWriter {
   public:
-    NpzResults(const ExportContext& context, const std::filesystem::path& path)
-        : file_(path, context.stop), steps_(context.steps) {
+    ArrayResults(const ExportContext& context, std::unique_ptr<ArrayFile> file)
+        : file_(std::move(file)), steps_(context.steps) {
         places_.fill(no_place);
-        std::size_t place = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (is_met(columns[i].need, context)) {
-                file_.add_array(
-                    columns[i].name, columns[i].type, columns[i].columns, columns[i].rows_each);
-                places_[i] = place++;
+                places_[i] = file_->add_array(
+                    {columns[i].name, columns[i].type, columns[i].columns, columns[i].rows_each});
             }
         }
         for (const std::size_t array : {offsets, point_offsets, run_offsets}) {
@@ -176,10 +176,10 @@ class NpzResults final : public ResultWriter {
         return status_;
     }
 
-    Status finish() override { return status_ ? file_.finish() : status_; }
+    Status finish() override { return status_ ? file_->finish() : status_; }
 
   private:
-    /// True if the archive has an array of `columns`.
+    /// True if the file has an array of `columns`.
     [[nodiscard]] bool has(std::size_t array) const { return places_[array] != no_place; }
 
     /// Adds a scenario's pairs; scenario i has the pairs [offsets[i], offsets[i + 1]).
@@ -259,16 +259,16 @@ class NpzResults final : public ResultWriter {
 
     template <class T>
     void append(std::size_t array, const std::vector<T>& values) {
-        status_ = status_ ? file_.append(places_[array], std::span<const T>(values)) : status_;
+        status_ = status_ ? file_->append(places_[array], std::span<const T>(values)) : status_;
     }
     template <class T>
     void put(std::size_t array, T value) {
-        status_ = status_ ? file_.append(places_[array], std::span<const T>(&value, 1)) : status_;
+        status_ = status_ ? file_->append(places_[array], std::span<const T>(&value, 1)) : status_;
     }
 
-    NpzWriter file_;
+    std::unique_ptr<ArrayFile> file_;
     std::shared_ptr<const StepIndex> steps_;           ///< Null for a job of two bodies.
-    std::array<std::size_t, columns.size()> places_{}; ///< In the archive, of each of `columns`.
+    std::array<std::size_t, columns.size()> places_{}; ///< In the file, of each of `columns`.
     std::uint64_t pairs_end_ = 0;
     std::uint64_t points_end_ = 0;
     std::uint64_t runs_end_ = 0;
@@ -277,9 +277,11 @@ class NpzResults final : public ResultWriter {
 
 } // namespace
 
-std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
-                                              const std::filesystem::path& dir) {
-    return std::make_unique<NpzResults>(context, dir / "results.npz");
+std::unique_ptr<ResultWriter> make_array_writer(std::string_view format,
+                                                const ExportContext& context,
+                                                const std::filesystem::path& dir) {
+    return std::make_unique<ArrayResults>(context,
+                                          make_array_file(format, dir, "results", context.stop));
 }
 
 } // namespace cd

@@ -1,6 +1,6 @@
 #include "client/export/result_writer.hpp"
+#include "client/formats/array_file.hpp"
 #include "client/formats/csv_rows.hpp"
-#include "client/formats/npz.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
@@ -57,18 +57,16 @@ write_csv(const ExportMap& map, const std::filesystem::path& path, const ExportC
     return file.commit();
 }
 
-Status
-write_npz(const ExportMap& map, const std::filesystem::path& path, const ExportContext& context) {
-    NpzWriter file(path, context.stop);
+Status write_arrays(const ExportMap& map, ArrayFile& file, const ExportContext& context) {
     if (context.map_pairs() != 0) {
         const std::array<std::uint64_t, 1> pairs{context.map_pairs()};
-        const std::size_t array = file.add_array("first_pairs", NpyType::U8);
+        const std::size_t array = file.add_array({"first_pairs", NpyType::U8});
         CD_TRY(file.append(array, std::span<const std::uint64_t>(pairs)));
     }
     const std::size_t columns = map.contacts ? 3 : 2;
     for (std::size_t i = 0; i < map.map.bodies.size(); ++i) {
         AscendingRows contacts = contacts_of(map, i);
-        const std::size_t array = file.add_array(context.bodies[i].name, NpyType::U8, columns);
+        const std::size_t array = file.add_array({context.bodies[i].name, NpyType::U8, columns});
         for (const TriangleContacts& row : map.map.bodies[i]) {
             const std::array<std::uint64_t, 3> numbers{
                 row.triangle, row.scenarios, contacts.of(row.triangle)};
@@ -93,13 +91,15 @@ Status write_map_files(const ExportMap& map,
     const auto has = [&](std::string_view format) {
         return std::find(formats.begin(), formats.end(), format) != formats.end();
     };
-    if (has("npz")) {
-        CD_TRY(write_npz(map, dir / "map.npz", context));
-        if (!has("csv")) {
-            return Done{};
+    bool has_arrays = false;
+    for (const std::string_view format : array_formats) {
+        if (has(format)) {
+            const auto file = make_array_file(format, dir, "map", context.stop);
+            CD_TRY(write_arrays(map, *file, context));
+            has_arrays = true;
         }
     }
-    return write_csv(map, dir / "map.csv", context);
+    return has_arrays && !has("csv") ? Status(Done{}) : write_csv(map, dir / "map.csv", context);
 }
 
 } // namespace cd

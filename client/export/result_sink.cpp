@@ -1,6 +1,7 @@
 #include "client/export/result_sink.hpp"
 
 #include "client/export/shots/shot_writers.hpp"
+#include "client/formats/array_file.hpp"
 #include "client/spec/job_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
@@ -34,8 +35,8 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
     if (format == "csv-pairs") {
         return make_pairs_csv_writer(context, dir);
     }
-    if (format == "npz") {
-        return make_npz_writer(context, dir);
+    if (is_array_format(format)) {
+        return make_array_writer(format, context, dir);
     }
     if (format == "vtp") {
         return make_vtp_writer(context, dir);
@@ -102,8 +103,10 @@ Status ResultSink::add_shot_writers() {
     if (job->knows_ends()) {
         shots_.emplace(job, context_.unit);
     }
-    if (has_format("npz")) {
-        writers_.push_back(make_shots_npz_writer(context_, options_.dir));
+    for (const std::string_view format : array_formats) {
+        if (has_format(format)) {
+            writers_.push_back(make_shots_array_writer(format, context_, options_.dir));
+        }
     }
     if (has_format("csv-pairs")) {
         writers_.push_back(CD_TRY(make_shotlines_writer(job, options_.dir)));

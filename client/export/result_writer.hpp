@@ -52,7 +52,7 @@ struct ExportContext {
     Level level = Level::Pairs;
     std::vector<ExportBody> bodies; ///< A result names a body by its index here.
     ListedPairs listed;             ///< Which pairs results and maps have.
-    bool exact_points = false;      ///< NPZ: also points at full precision, relative to origins.
+    bool exact_points = false;      ///< Arrays: also points at full precision, relative to origins.
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
     /// With the question of the distance, files also have the nearest points; with that of shots,
@@ -115,9 +115,11 @@ class ResultWriter {
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
-/// Writes results.npz; docs/formats.md describes its arrays.
-[[nodiscard]] std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
-                                                            const std::filesystem::path& dir);
+/// Writes results.npz or results.h5; docs/formats.md describes the arrays. `format` is one of
+/// `array_formats`.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_array_writer(std::string_view format,
+                                                              const ExportContext& context,
+                                                              const std::filesystem::path& dir);
 
 /// Writes contacts.vtp at `level contacts`, with a point for each shared point and a line for each
 /// near pair; else no file.
@@ -156,12 +158,12 @@ struct ExportMap {
 [[nodiscard]] std::string map_column_name(const ExportContext& context);
 
 /// Writes a job's contact map. Format csv gives map.csv with a row per triangle: the body's name,
-/// triangle, scenarios, part. Format npz gives map.npz with an array (K,2) named after each body:
-/// triangle, scenarios. Where contacts are known, a column in_contact follows scenarios. If
-/// `formats` has neither, map.csv is written. Triangles ascend; a triangle that is never in contact
-/// nor near has no row. If the map counts only the first N pairs of each scenario, both
-/// files say so: the CSV's column is named scenarios_of_first_N_pairs, and the NPZ has an array
-/// first_pairs that holds N. Errors: Io naming the file.
+/// triangle, scenarios, part. Format npz gives map.npz, and h5 map.h5, with an array (K,2) named
+/// after each body: triangle, scenarios. Where contacts are known, a column in_contact follows
+/// scenarios. If `formats` has neither, map.csv is written. Triangles ascend; a triangle that is
+/// never in contact nor near has no row. If the map counts only the first N pairs of each scenario,
+/// both files say so: the CSV's column is named scenarios_of_first_N_pairs, and the NPZ has an
+/// array first_pairs that holds N. Errors: Io naming the file.
 [[nodiscard]] Status write_map_files(const ExportMap& map,
                                      const std::filesystem::path& dir,
                                      const std::vector<std::string>& formats,

@@ -38,8 +38,8 @@ struct CaseBody {
 
 Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop) {
     NpzWriter file(path, stop);
-    const std::size_t vertices = file.add_array("vertices", NpyType::F8, 3);
-    const std::size_t faces = file.add_array("faces", NpyType::U4, 3);
+    const std::size_t vertices = file.add_array({"vertices", NpyType::F8, 3});
+    const std::size_t faces = file.add_array({"faces", NpyType::U4, 3});
     for (const Vec3& vertex : mesh.vertices()) {
         CD_TRY(file.append(vertices, std::span<const double>(vertex.data(), 3)));
     }
@@ -49,8 +49,8 @@ Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop)
     if (mesh.parts().empty()) {
         return file.finish();
     }
-    const std::size_t parts = file.add_array("parts", NpyType::U4, 3);
-    const std::size_t names = file.add_array("part_names", NpyType::U1);
+    const std::size_t parts = file.add_array({"parts", NpyType::U4, 3});
+    const std::size_t names = file.add_array({"part_names", NpyType::U1});
     for (const Part& part : mesh.parts()) {
         const std::array<std::uint32_t, 3> row{
             part.triangles_begin, part.triangles_end, static_cast<std::uint32_t>(part.name.size())};

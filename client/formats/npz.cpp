@@ -1,6 +1,7 @@
 #include "client/formats/npz.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 
 #include <zip.h>
@@ -11,6 +12,9 @@
 namespace cd {
 
 namespace {
+
+/// A stream takes about as long for an element as for a thousand.
+constexpr std::size_t spooled_at_once = 1u << 16;
 
 struct CloseArchive {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -30,11 +34,8 @@ void NpzWriter::remove_spools() {
     }
 }
 
-std::size_t NpzWriter::add_array(const std::string& name,
-                                 NpyType type,
-                                 std::uint64_t columns,
-                                 std::uint64_t rows_each) {
-    Array array{name, type, columns, rows_each};
+std::size_t NpzWriter::add_array(const ArrayLayout& layout) {
+    Array array{layout};
     array.spool = path_.string() + "." + std::to_string(arrays_.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
     // Leaves room for the header, which `finish` writes once the length is known.
@@ -47,26 +48,24 @@ std::size_t NpzWriter::add_array(const std::string& name,
 Status
 NpzWriter::append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item) {
     Array& target = arrays_[array];
-    CD_CHECK(item == size_of(target.type));
-    target.file.write(reinterpret_cast<const char*>(bytes.data()),
-                      static_cast<std::streamsize>(bytes.size()));
+    CD_CHECK(item == size_of(target.layout.type));
+    target.waiting.insert(target.waiting.end(), bytes.begin(), bytes.end());
     target.elements += bytes.size() / item;
-    if (!target.file) {
-        return Error{ErrorCode::Io,
-                     path_.string() + ": cannot be written: no room, or no right, for " +
-                         target.spool.string()};
-    }
-    return Done{};
+    const bool may_wait = target.file && target.waiting.size() < spooled_at_once;
+    return may_wait ? Status(Done{}) : spool(target);
 }
 
-std::vector<std::uint64_t> NpzWriter::shape_of(const Array& array) {
-    if (array.columns == 0) {
-        return {array.elements};
+/// Writes the elements that wait. Fails if the file could not be created, too.
+Status NpzWriter::spool(Array& array) const {
+    array.file.write(reinterpret_cast<const char*>(array.waiting.data()),
+                     static_cast<std::streamsize>(array.waiting.size()));
+    array.waiting.clear();
+    if (!array.file) {
+        return Error{ErrorCode::Io,
+                     path_.string() + ": cannot be written: no room, or no right, for " +
+                         array.spool.string()};
     }
-    const std::uint64_t rows = array.elements / array.columns;
-    return array.rows_each == 1
-               ? std::vector<std::uint64_t>{rows, array.columns}
-               : std::vector<std::uint64_t>{rows / array.rows_each, array.rows_each, array.columns};
+    return Done{};
 }
 
 Status NpzWriter::finish() {
@@ -81,7 +80,9 @@ Status NpzWriter::finish() {
         return failed("the folder is missing or may not be written to");
     }
     for (Array& array : arrays_) {
-        const Bytes header = make_npy_header(array.type, shape_of(array));
+        CD_TRY(spool(array));
+        const Bytes header =
+            make_npy_header(array.layout.type, array.layout.shape_of(array.elements));
         array.file.seekp(0);
         array.file.write(reinterpret_cast<const char*>(header.data()), npy_header_bytes);
         array.file.close();
@@ -89,11 +90,12 @@ Status NpzWriter::finish() {
             return failed("no room, or no right, for " + array.spool.string());
         }
         zip_source_t* source = zip_source_file(archive.get(), array.spool.c_str(), 0, -1);
-        const zip_int64_t index =
-            source == nullptr
-                ? -1
-                : zip_file_add(
-                      archive.get(), (array.name + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8);
+        const zip_int64_t index = source == nullptr
+                                      ? -1
+                                      : zip_file_add(archive.get(),
+                                                     (array.layout.name + ".npy").c_str(),
+                                                     source,
+                                                     ZIP_FL_ENC_UTF_8);
         if (index < 0) {
             zip_source_free(source);
             return failed(zip_strerror(archive.get()));

@@ -18,8 +18,8 @@ namespace cd {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> format_names{
-    "text", "json", "csv", "csv-pairs", "npz", "vtp", "glb"};
+constexpr std::array<std::string_view, 8> format_names{
+    "text", "json", "csv", "csv-pairs", "npz", "h5", "vtp", "glb"};
 constexpr std::string_view depth_auto = "auto";
 
 BodySpec read_body(const TomlFields& job, std::string_view key, const std::filesystem::path& file) {
@@ -379,7 +379,7 @@ Status check_format(std::string_view format) {
     }
     return bad_input(
         "format \"" + std::string(format) +
-        "\" is not known; this version has text, json, csv, csv-pairs, npz, vtp and glb");
+        "\" is not known; this version has text, json, csv, csv-pairs, npz, h5, vtp and glb");
 }
 
 Status check_map_formats(std::span<const std::string> formats, const MapUse& use) {

@@ -1,5 +1,5 @@
-"""Makes exports with cdctl, reads them with VTK and with cdctl's importer, and compares them with CSV
-files of the same run. Usage: check.py CDCTL FOLDER"""
+"""Makes exports with cdctl, reads them with VTK, h5py and cdctl's importer, and compares them with
+CSV and NPZ files of the same run. Usage: check.py CDCTL FOLDER"""
 import collections
 import csv
 import json
@@ -9,6 +9,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
+import h5py
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
@@ -265,8 +266,60 @@ def check_groups(out):
     check(not pairs, f"groups.csv lacks {list(pairs)}")
 
 
+# ---- HDF5 ---------------------------------------------------------------------------------------
+BOXES = '[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\nname = "odd/b"\n[poses]\nfile = "poses.csv"\n'
+BODIES = '[bodies]\na = { mesh = "a.obj", pose = [0,0,0,1,0,0,0], quat_order = "wxyz" }\n'
+MOVING = 'b = { mesh = "b.obj" }\n[poses]\nfile = "steps.csv"\n'
+LINES = "[shots]\nspacing = 0.25\nazimuth_deg = [0, 40, 2]\n"
+KINDS = {  # Job, level, and the files besides results.
+    "contacts": (BOXES + "[query]\nclearance = 0.3\n", "contacts", ["map"]),
+    "few": (BOXES + "[query]\nlimit_pairs = 3\n", "pairs", ["map"]),
+    "nothing": (BOXES, "any", []),
+    "distance": (BOXES, "distance", []),
+    "motion": (BOXES + "[motion]\nresolution = 0.01\n", "pairs", ["map"]),
+    "shots": ('[a]\nmesh = "a.obj"\n' + LINES, "pairs", ["map", "shots"]),
+    "scene": (BODIES + MOVING, "contacts", []),
+    "shots in a scene": (BODIES + MOVING + LINES, "pairs", ["shots"]),
+}
+
+
+def check_array_file(path):
+    """An HDF5 file against the NPZ of its name."""
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(lambda name, each: found.update({name: each[()]}) if hasattr(each, "dtype") else None)
+        chunked = [name for name in found if file[name].chunks and file[name].compression == "gzip"]
+    with np.load(path.with_suffix(".npz")) as expected:
+        check(set(expected.files) == set(found) == set(chunked), f"{path}: other arrays")
+        for name, array in expected.items():
+            same = array.dtype == found[name].dtype and np.array_equal(array, found[name], equal_nan=array.dtype.kind == "f")
+            check(same, f"{path}: {name} differs")
+
+
+def check_h5():
+    (FOLDER / "steps.csv").write_text("step,body,x\n0,b,0.4\n1,b,0.9\n2,b,9\n")
+    job = FOLDER / "kind.toml"
+    for kind, (text, level, others) in KINDS.items():
+        job.write_text(text)
+        out = FOLDER / ("h5 " + kind)
+        options = ["--exact-points"] if level in ("contacts", "distance") else []
+        cdctl("run", job, "--level", level, *options, "--formats", "npz,h5", "--out", out)
+        names = {path.stem for path in out.iterdir() if path.suffix in (".h5", ".npz")}
+        check(names == {"results", *others}, f"{kind}: files of {names}")
+        for name in names:
+            check_array_file(out / (name + ".h5"))
+    with h5py.File(FOLDER / "h5 contacts" / "map.h5") as file:
+        check(file["odd/b"].shape[0] > 10, "a body whose name has a slash has no map")
+    many = FOLDER / "h5 many"  # More than a chunk of each array.
+    cdctl("run", "--a", FOLDER / "a.obj", "--b", FOLDER / "b.obj", "--random", 40000,
+          "--level", "count", "--maps", "--formats", "npz", "--out", many)
+    cdctl("results", many, "--formats", "h5")
+    check_array_file(many / "results.h5")
+
+
 def main():
     write_inputs()
+    check_h5()
     job, out = FOLDER / "job.toml", FOLDER / "out"
     cdctl("run", job, "--level", "contacts", "--formats", "csv,csv-pairs,vtp,glb", "--out", out)
     files = {"map", "pairs", "points", "scenarios", "groups", "records", "run", "summary"}

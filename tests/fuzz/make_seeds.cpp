@@ -443,7 +443,7 @@ void add_files(Seeds& seeds) {
     seeds.add("npy", "matrix", array);
     const tests::TemporaryFolder folder;
     NpzWriter writer(folder / "poses.npz");
-    const auto array_of_poses = writer.add_array("poses", NpyType::F8, 12);
+    const auto array_of_poses = writer.add_array({"poses", NpyType::F8, 12});
     need(writer.append<double>(array_of_poses, pose) && writer.finish());
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
 }

@@ -129,6 +129,7 @@ DOORS = {
     r"pugixml": ["client/import/foreign/xml"],
     r"expat\.h": ["client/poses/fcd_xml.cpp"],
     r"zlib\.h": ["client"],
+    r"hdf5\.h": ["client/formats/h5.cpp"],
     r"CLI/": ["common/core/host/daemon_options.cpp", "common/core/host/man_page.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/config_file.cpp", "client"],
     r"nlohmann/": ["client", "web"],

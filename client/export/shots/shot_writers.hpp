@@ -7,12 +7,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace cd {
 
-/// Writes shots.npz: every hit of every line; docs/shots.md describes its arrays.
-[[nodiscard]] std::unique_ptr<ResultWriter> make_shots_npz_writer(const ExportContext& context,
-                                                                  const std::filesystem::path& dir);
+/// Writes shots.npz or shots.h5: every hit of every line; docs/shots.md describes the arrays.
+/// `format` is one of `array_formats`.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_shots_array_writer(
+    std::string_view format, const ExportContext& context, const std::filesystem::path& dir);
 
 /// Writes shotlines.csv: a row for each passage of a line through a part; docs/shots.md describes
 /// its columns. Errors: Io naming the file; BadInput for a scene whose poses are not at hand.

@@ -1,30 +1,32 @@
 #include "client/export/shots/shot_writers.hpp"
-#include "client/formats/npz.hpp"
+#include "client/formats/array_file.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
 
 namespace {
 
-class ShotsNpz final : public ResultWriter {
+class ShotsArrays final : public ResultWriter {
   public:
-    ShotsNpz(const ExportContext& context, const std::filesystem::path& path)
-        : file_(path, context.stop),
-          index_(file_.add_array("index", NpyType::U8)),
-          offsets_(file_.add_array("offsets", NpyType::U8)),
-          hits_(file_.add_array("hits", NpyType::U4, 2)),
-          depth_(file_.add_array("depth", NpyType::F8)),
-          flags_(file_.add_array("flags", NpyType::U1)),
-          rank_(file_.add_array("rank", NpyType::U1)) {
+    ShotsArrays(const ExportContext& context, std::unique_ptr<ArrayFile> file)
+        : file_(std::move(file)),
+          index_(file_->add_array({"index", NpyType::U8})),
+          offsets_(file_->add_array({"offsets", NpyType::U8})),
+          hits_(file_->add_array({"hits", NpyType::U4, 2})),
+          depth_(file_->add_array({"depth", NpyType::F8})),
+          flags_(file_->add_array({"flags", NpyType::U1})),
+          rank_(file_->add_array({"rank", NpyType::U1})) {
         if (context.steps) {
             scene_ = SceneArrays{context,
-                                 file_.add_array("step", NpyType::U8),
-                                 file_.add_array("bundle", NpyType::U8),
-                                 file_.add_array("body", NpyType::U4)};
+                                 file_->add_array({"step", NpyType::U8}),
+                                 file_->add_array({"bundle", NpyType::U8}),
+                                 file_->add_array({"body", NpyType::U4})};
         }
         append(offsets_, std::vector<std::uint64_t>{0});
     }
@@ -57,10 +59,10 @@ class ShotsNpz final : public ResultWriter {
         return status_;
     }
 
-    Status finish() override { return status_ ? file_.finish() : status_; }
+    Status finish() override { return status_ ? file_->finish() : status_; }
 
   private:
-    /// What the archive of a scene has besides.
+    /// What the file of a scene has besides.
     struct SceneArrays {
         ExportContext context;
         std::size_t step;
@@ -70,10 +72,10 @@ class ShotsNpz final : public ResultWriter {
 
     template <class T>
     void append(std::size_t array, const std::vector<T>& values) {
-        status_ = status_ ? file_.append(array, std::span<const T>(values)) : status_;
+        status_ = status_ ? file_->append(array, std::span<const T>(values)) : status_;
     }
 
-    NpzWriter file_;
+    std::unique_ptr<ArrayFile> file_;
     std::size_t index_;
     std::size_t offsets_;
     std::size_t hits_;
@@ -87,9 +89,11 @@ class ShotsNpz final : public ResultWriter {
 
 } // namespace
 
-std::unique_ptr<ResultWriter> make_shots_npz_writer(const ExportContext& context,
-                                                    const std::filesystem::path& dir) {
-    return std::make_unique<ShotsNpz>(context, dir / "shots.npz");
+std::unique_ptr<ResultWriter> make_shots_array_writer(std::string_view format,
+                                                      const ExportContext& context,
+                                                      const std::filesystem::path& dir) {
+    return std::make_unique<ShotsArrays>(context,
+                                         make_array_file(format, dir, "shots", context.stop));
 }
 
 } // namespace cd

@@ -215,7 +215,7 @@ TEST_F(Export, AFullDiskIsNoticedAtOnce) {
     fs::create_directories(dir_);
     const FileSizeLimit limit(1u << 20);
     context_.level = Level::Pairs;
-    auto writer = make_npz_writer(context_, dir_);
+    auto writer = make_array_writer("npz", context_, dir_);
     ASSERT_TRUE(writer);
     ScenarioResult result = results()[1];
     Status added = Done{};

@@ -57,8 +57,8 @@ std::vector<double> doubles_of(const std::string& file) {
 
 void write_archive(const std::filesystem::path& path) {
     NpzWriter writer(path);
-    const auto ids = writer.add_array("ids", NpyType::U4);
-    const auto points = writer.add_array("points", NpyType::F8, 3);
+    const auto ids = writer.add_array({"ids", NpyType::U4});
+    const auto points = writer.add_array({"points", NpyType::F8, 3});
     for (std::uint32_t i = 0; i < 1000; ++i) {
         EXPECT_TRUE(writer.append(ids, std::span<const std::uint32_t>(&i, 1)));
         const std::vector<double> point{0.1 * i, 2, -1.0 / (i + 1)};
@@ -154,7 +154,7 @@ TEST(Npz, EqualArraysMakeEqualFilesAndLeaveNothingElse) {
     EXPECT_EQ(read_text(folder / "a.npz"), read_text(folder / "b.npz"));
     {
         NpzWriter abandoned(folder / "c.npz");
-        static_cast<void>(abandoned.add_array("x", NpyType::F8));
+        static_cast<void>(abandoned.add_array({"x", NpyType::F8}));
     }
     const std::filesystem::directory_iterator files(folder.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 2);

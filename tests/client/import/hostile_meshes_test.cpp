@@ -44,8 +44,8 @@ void write_mesh(const std::filesystem::path& path, const Vec3& factors, const Ve
         vertices.insert(vertices.end(), place.begin(), place.end());
     }
     NpzWriter writer(path);
-    const auto v = writer.add_array("vertices", NpyType::F8, 3);
-    const auto f = writer.add_array("faces", NpyType::I8, 3);
+    const auto v = writer.add_array({"vertices", NpyType::F8, 3});
+    const auto f = writer.add_array({"faces", NpyType::I8, 3});
     EXPECT_TRUE(writer.append(v, std::span<const double>(vertices)));
     EXPECT_TRUE(writer.append(f, std::span<const std::int64_t>(faces)));
     ASSERT_TRUE(writer.finish());
@@ -227,10 +227,10 @@ TEST(HostileMeshes, PartsThatDoNotFitTheirMeshAreRefused) {
     const std::filesystem::path path = folder / "parts.npz";
     const auto import = [&](const std::vector<Row>& rows, std::size_t columns = 3) {
         NpzWriter writer(path);
-        const auto v = writer.add_array("vertices", NpyType::F8, 3);
-        const auto f = writer.add_array("faces", NpyType::U4, 3);
-        const auto p = writer.add_array("parts", NpyType::U4, columns);
-        const auto n = writer.add_array("part_names", NpyType::U1);
+        const auto v = writer.add_array({"vertices", NpyType::F8, 3});
+        const auto f = writer.add_array({"faces", NpyType::U4, 3});
+        const auto p = writer.add_array({"parts", NpyType::U4, columns});
+        const auto n = writer.add_array({"part_names", NpyType::U1});
         EXPECT_TRUE(writer.append(v, std::span<const double>(std::array<double, 3>{})));
         EXPECT_TRUE(
             writer.append(f, std::span<const std::uint32_t>(std::array<std::uint32_t, 6>{})));
@@ -276,7 +276,7 @@ TEST(HostileMeshes, PosesThatAreNotFiniteAreRefusedByPlace) {
             poses.insert(poses.end(), {1, 0, 0, row == 2 ? bad : 0, 0, 1, 0, 0, 0, 0, 1, 0});
         }
         NpzWriter writer(folder / "poses.npz");
-        const auto array = writer.add_array("poses", NpyType::F8, 12);
+        const auto array = writer.add_array({"poses", NpyType::F8, 12});
         EXPECT_TRUE(writer.append(array, std::span<const double>(poses)));
         ASSERT_TRUE(writer.finish());
         expect_refused(folder, "unit.npz", "poses.npz", "row 2");

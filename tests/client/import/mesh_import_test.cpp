@@ -196,8 +196,8 @@ TEST(MeshImport, ReadsNpzInDoubles) {
     const auto write = [&](const std::vector<double>& points,
                            const std::vector<std::int64_t>& faces) {
         NpzWriter writer(folder / "mesh.npz");
-        const auto v = writer.add_array("vertices", NpyType::F8, 3);
-        const auto f = writer.add_array("faces", NpyType::I8, 3);
+        const auto v = writer.add_array({"vertices", NpyType::F8, 3});
+        const auto f = writer.add_array({"faces", NpyType::I8, 3});
         EXPECT_TRUE(writer.append(v, std::span<const double>(points)));
         EXPECT_TRUE(writer.append(f, std::span<const std::int64_t>(faces)));
         ASSERT_TRUE(writer.finish());
@@ -220,9 +220,9 @@ TEST(MeshImport, ReadsNpzInDoubles) {
 TEST(MeshImport, OfAnArchiveOnlyTheNeededArraysAreUnpacked) {
     const TemporaryFolder folder;
     NpzWriter writer(folder / "mesh.npz");
-    const auto v = writer.add_array("vertices", NpyType::F8, 3);
-    const auto f = writer.add_array("faces", NpyType::I8, 3);
-    const auto other = writer.add_array("other", NpyType::F8);
+    const auto v = writer.add_array({"vertices", NpyType::F8, 3});
+    const auto f = writer.add_array({"faces", NpyType::I8, 3});
+    const auto other = writer.add_array({"other", NpyType::F8});
     ASSERT_TRUE(
         writer.append(v, std::span<const double>(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0})));
     ASSERT_TRUE(

@@ -261,8 +261,8 @@ TEST_F(PoseFile, ABareQuaternionArrayNeedsItsOrder) {
 
 TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
     NpzWriter writer(folder_ / "p.npz");
-    const auto other = writer.add_array("other", NpyType::F8);
-    const auto poses = writer.add_array("poses", NpyType::F8, 12);
+    const auto other = writer.add_array({"other", NpyType::F8});
+    const auto poses = writer.add_array({"poses", NpyType::F8, 12});
     EXPECT_TRUE(writer.append(other, std::span<const double>(turned)));
     EXPECT_TRUE(writer.append(poses, std::span<const double>(turned).first(12)));
     ASSERT_TRUE(writer.finish());
@@ -272,7 +272,7 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
 TEST_F(PoseFile, ATextArrayBesideThePosesIsIgnored) {
     const std::string labels = "\x93NUMPY\x01\x00 is of a type that is not read";
     NpzWriter writer(folder_ / "p.npz");
-    ASSERT_TRUE(writer.append(writer.add_array("poses", NpyType::F8, 12),
+    ASSERT_TRUE(writer.append(writer.add_array({"poses", NpyType::F8, 12}),
                               std::span<const double>(turned).first(12)));
     ASSERT_TRUE(writer.finish());
     zip_t* const archive = zip_open((folder_ / "p.npz").c_str(), 0, nullptr);

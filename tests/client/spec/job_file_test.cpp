@@ -213,11 +213,10 @@ TEST(JobFile, AClearanceIsALengthOfAtLeastZero) {
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
     EXPECT_THAT(problem_with(random_poses + "[query]\nlevel = \"contact\"\n"),
                 HasSubstr("did you mean \"contacts\"?"));
-    EXPECT_THAT(
-        problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
-        HasSubstr(
-            "format \"h5\" is not known; this version has text, json, csv, csv-pairs, npz, vtp "
-            "and glb"));
+    EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
+                HasSubstr("format \"hdf\" is not known; this version has text, json, csv, "
+                          "csv-pairs, npz, h5, vtp "
+                          "and glb"));
     EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [1]\n"),
                 HasSubstr("text in quotes"));
     EXPECT_THAT(parse("unit = \"inch\"\n" + minimal + random_poses).error().detail,
@@ -306,7 +305,7 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--rigid-tolerance is a number"));
     options.poses.rigid_tolerance.reset();
     options.output.formats = {"h5"};
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("npz, vtp and glb"));
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("npz, h5, vtp and glb"));
     options.output.formats = {"glb"};
     options.output.dir = "out";
     options.query.level = "any";
