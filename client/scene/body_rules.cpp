@@ -6,7 +6,7 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <map>
 #include <ranges>
 #include <utility>
@@ -47,14 +47,34 @@ std::uint64_t pairs_between(const std::vector<std::uint32_t>& one,
     return one.size() * other.size() - both - (both < 2 ? 0 : both * (both - 1) / 2);
 }
 
+/// Leaves only the pairs of a rule that have this body. Does nothing if neither name has it.
+void narrow_to(std::uint32_t body, ResolvedRule& rule) {
+    const auto has_it = [&](const RuleSide& side) {
+        return std::ranges::find(side.bodies, body) != side.bodies.end();
+    };
+    const bool is_one = has_it(rule.one);
+    if (is_one && has_it(rule.other)) { // Then neither name is about parts: the lines have none.
+        std::vector<std::uint32_t> all;
+        std::ranges::set_union(rule.one.bodies, rule.other.bodies, std::back_inserter(all));
+        std::erase(all, body);
+        rule.other.bodies = std::move(all);
+    }
+    if (is_one || has_it(rule.other)) {
+        (is_one ? rule.one : rule.other).bodies = {body};
+    }
+}
+
 class RuleExpansion {
   public:
+    /// With lines, which are the last body, all counts and results are of pairs that have them.
     RuleExpansion(const RulesSpec& rules,
                   const SceneBodies& scene,
-                  const std::filesystem::path& job_file)
+                  const std::filesystem::path& job_file,
+                  bool has_lines = false)
         : rules_(rules),
           scene_(scene),
           job_file_(job_file),
+          has_lines_(has_lines),
           decided_(scene.bodies.size()),
           made_{PairSet(scene.bodies.size()), {}, std::vector<RuleEffect>(rules.order.size())} {}
 
@@ -96,6 +116,16 @@ class RuleExpansion {
                            "both names are those of the body \"" +
                                scene_.bodies[resolved.one.bodies.front()].name +
                                "\" alone, and no body is tested against itself; remove the rule");
+        }
+        if (has_lines_) {
+            const auto lines = static_cast<std::uint32_t>(scene_.bodies.size() - 1);
+            narrow_to(lines, resolved);
+            if (resolved.one.bodies.back() != lines && resolved.other.bodies.back() != lines) {
+                return problem(rule,
+                               "with [shots], bodies are tested against \"lines\" alone, and "
+                               "neither name is that of the lines; write { ignore = [\"body\", "
+                               "\"lines\"] }, or leave out the rule");
+            }
         }
         return resolved;
     }
@@ -192,6 +222,7 @@ class RuleExpansion {
     const RulesSpec& rules_;
     const SceneBodies& scene_;
     const std::filesystem::path& job_file_;
+    bool has_lines_ = false;
     std::vector<ResolvedRule> resolved_; ///< Of each rule.
     PairSet decided_;                    ///< Pairs that a rule taken so far names whole.
     /// Rules about parts of pairs, taken before the one that decides about the whole bodies.
@@ -214,14 +245,6 @@ Result<SceneBodies> with_lines(const SceneSpec& scene, SceneBodies bodies) {
     return bodies;
 }
 
-/// Returns whether a rule names the last body, or a part of it. The rule has been resolved.
-bool names_last(const SceneRule& rule, const SceneBodies& bodies) {
-    return std::ranges::any_of(std::array{&rule.one, &rule.other}, [&](const std::string* text) {
-        const auto named = RulePattern::from_text(*text).bodies_of(bodies);
-        return named && named.value().back() + 1 == bodies.bodies.size();
-    });
-}
-
 } // namespace
 
 Result<BodyRules> apply_rules(const RulesSpec& rules,
@@ -237,31 +260,12 @@ Result<BodyRules> apply_rules_of_lines(const SceneSpec& scene,
         return BodyRules{PairSet(bodies.bodies.size() + 1), {}, {}};
     }
     const SceneBodies all = CD_TRY(with_lines(scene, bodies));
-    auto rules = CD_TRY(apply_rules(scene.rules, all, job_file));
-    for (const SceneRule& rule : scene.rules.order) {
-        if (!names_last(rule, all)) {
-            return error_in_job(job_file,
-                                rule.line,
-                                "[rules] " + rule_text(rule) +
-                                    ": with [shots], bodies are tested against \"lines\" alone, "
-                                    "and neither name is that of the lines; write { ignore = "
-                                    "[\"body\", \"lines\"] }, or leave out the rule");
-        }
-    }
-    const auto lines = static_cast<std::uint32_t>(bodies.bodies.size());
-    PairSet ignored(all.bodies.size());
-    for (std::uint32_t body = 0; body < lines; ++body) {
-        if (rules.ignored.has({body, lines})) {
-            ignored.add({&body, 1}, {&lines, 1});
-        }
-    }
-    if (ignored.count() == lines) {
+    auto rules = CD_TRY(RuleExpansion(scene.rules, all, job_file, true).run());
+    if (rules.ignored.count() == bodies.bodies.size()) {
         return bad_input(job_file,
                          "[rules] ignore every body with \"lines\", so that lines can hit none; "
                          "leave out a rule, or test a body with them");
     }
-    rules.ignored = std::move(ignored);
-    std::erase_if(rules.ranges, [&](const IgnoredRange& range) { return range.body_b != lines; });
     return rules;
 }
 

@@ -122,6 +122,21 @@ TEST_F(SceneLinesTest, TheCheckCountsLinesAndScenarios) {
     EXPECT_EQ(execute(check), 0);
 }
 
+TEST_F(SceneLinesTest, RulesCountOnlyPairsWithTheLines) {
+    const auto spec =
+        read_job_file(write(std::string(grid) + "[rules]\norder = [{ test = [\"*\", \"*\"] },\n"
+                                                "{ ignore = [\"*\", \"car.1\"] },\n"
+                                                "{ ignore = [\"wall/base\", \"*\"] }]\n"));
+    ASSERT_TRUE(spec);
+    const auto scene = prepare_scene(spec.value(), true);
+    ASSERT_TRUE(scene) << scene.error().detail;
+    EXPECT_EQ(scene.value().ignored_pairs, 1u);
+    EXPECT_THAT(check_text(spec.value(), scene.value()),
+                AllOf(HasSubstr(" tests 2 of the 3 pairs of bodies that it names\n"),
+                      HasSubstr(" ignores 1 of the 1 pair of bodies that it names\n"),
+                      HasSubstr(" ignores parts of 1 of the 1 pair of bodies that it names\n")));
+}
+
 TEST_F(SceneLinesTest, ABoxReplacesThatOfTheBodies) {
     const PreparedScene scene =
         prepared(std::string(grid) + "box = [-8, -8, -8, 8, 8, 8]\n[query]\nlevel = \"count\"\n");
