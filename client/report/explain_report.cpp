@@ -72,6 +72,22 @@ nlohmann::ordered_json score_json(const WorkerScore& score, bool by_time) {
     return entry;
 }
 
+std::string effort_text(const SearchEffort& effort) {
+    if (effort.cells != 0) {
+        return "  tests       " + counted(effort.cells, "cell") + " of time, " +
+               grouped(effort.leaves) + " of them leaves\n";
+    }
+    return "  needs       " + grouped(effort.roots_used) + " of " +
+           counted(effort.roots_named, "pair") + " of roots that may have the distance\n";
+}
+
+nlohmann::ordered_json effort_json(const SearchEffort& effort) {
+    if (effort.cells != 0) {
+        return {{"cells", effort.cells}, {"leaves", effort.leaves}};
+    }
+    return {{"roots_named", effort.roots_named}, {"roots_used", effort.roots_used}};
+}
+
 } // namespace
 
 std::string explained_text(const Explained& explained, const std::string& job) {
@@ -81,6 +97,7 @@ std::string explained_text(const Explained& explained, const std::string& job) {
     text += !is_scored ? ""
                        : "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
                              std::to_string(explained.roots_b) + " of B\n";
+    text += !explained.effort ? "" : effort_text(*explained.effort);
     text += "  is          " + explained.where + "\n";
     text += !is_scored ? "" : "  now chosen  " + explained.why + "\n";
     text += explained.note.empty() ? "" : "  note        " + explained.note + "\n";
@@ -100,6 +117,9 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     if (!explained.why.empty()) { // The job has not ended.
         document["roots_a"] = explained.roots_a;
         document["roots_b"] = explained.roots_b;
+    }
+    if (explained.effort) {
+        document["effort"] = effort_json(*explained.effort);
     }
     document["workers"] = nlohmann::ordered_json::array();
     for (const WorkerScore& score : explained.workers) {

@@ -84,6 +84,8 @@ bool find_motion(ContactSearch& search,
     if (answer.is_stopped) {
         return false;
     }
+    run.cells = answer.cells;
+    run.leaves = answer.leaves;
     note_answer(std::move(answer), true, run.result);
     const PosePair poses = poses_of_answer(scenario, run.result);
     const bool is_event = run.result.motion->event().has_value();

@@ -131,6 +131,7 @@ class CellSearch {
         if (answer_.runs.empty() || answer_.runs.back().state != state) {
             answer_.runs.push_back({state, cell.index << above, 0});
         }
+        ++answer_.leaves;
         CellRun& run = answer_.runs.back();
         run.count += 1u << above;
         if (starts_with_event_) {

@@ -28,9 +28,10 @@ struct CellQuestions {
 /// The outcome of a search along a motion, with its bound and its cost. In an open run the bodies
 /// were at most `open_within` apart at the middle of each leaf.
 struct MotionAnswer : MotionOutcome {
-    double open_within = 0;  ///< The largest M + clearance of an open leaf; 0 if there is none.
-    std::uint32_t cells = 0; ///< Cells tested; no part of the answer.
-    bool is_stopped = false; ///< True if `stop` ended the search; then the rest means nothing.
+    double open_within = 0;   ///< The largest M + clearance of an open leaf; 0 if there is none.
+    std::uint32_t cells = 0;  ///< Cells tested; no part of the answer.
+    std::uint32_t leaves = 0; ///< Tested cells that are not halved; no part of the answer.
+    bool is_stopped = false;  ///< True if `stop` ended the search; then the rest means nothing.
 };
 
 /// Searches a motion. `clearance` is finite and at least 0, in the job's unit.

@@ -3,8 +3,10 @@
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/timing/master.hpp"
 #include "master/base/run_on.hpp"
+#include "master/compute/search_effort.hpp"
 #include "master/coordinator/coordinator.hpp"
 
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -12,15 +14,23 @@ namespace cd {
 
 namespace {
 
-Result<std::optional<Analysis>>
-analysed(const AnalysisInput& input, OrderedPoses& poses, std::uint64_t scenario) {
+/// What is computed about one scenario of a running job.
+struct Examined {
+    Analysis analysis;
+    std::optional<SearchEffort> effort;
+};
+
+Result<Examined> examined(const AnalysisInput& input, OrderedPoses& poses, std::uint64_t scenario) {
     const Result<PlacedScenario> read = read_one(poses, scenario);
     if (!read) {
         return read.error();
     }
     Analysis analysis = analyse(input, read.value().scenario);
     analysis.position = read.value().position;
-    return std::optional(std::move(analysis));
+    const auto until = std::chrono::steady_clock::now() + timing::explained_search_max;
+    const auto effort = search_effort(
+        input, analysis, [until] { return std::chrono::steady_clock::now() > until; });
+    return Examined{std::move(analysis), effort};
 }
 
 } // namespace
@@ -89,17 +99,22 @@ asio::awaitable<Result<Explained>> JobRequests::explain(JobId job, std::uint64_t
     if (!needed) {
         co_return needed.error();
     }
-    Result<std::optional<Analysis>> analysis = std::optional<Analysis>();
-    if (needed.value()) {
-        auto run = [&needed, poses = coordinator_.jobs().find(job)->run->poses, scenario] {
-            return analysed(*needed.value(), *poses, scenario);
-        };
-        analysis = co_await run_on(coordinator_.parts().blocking, run);
-        if (!analysis) {
-            co_return analysis.error();
-        }
+    if (!needed.value()) {
+        co_return coordinator_.jobs().explainer().explain(job, scenario, {});
     }
-    co_return coordinator_.jobs().explainer().explain(job, scenario, std::move(analysis.value()));
+    auto run = [&needed, poses = coordinator_.jobs().find(job)->run->poses, scenario] {
+        return examined(*needed.value(), *poses, scenario);
+    };
+    Result<Examined> found = co_await run_on(coordinator_.parts().blocking, run);
+    if (!found) {
+        co_return found.error();
+    }
+    auto explained =
+        coordinator_.jobs().explainer().explain(job, scenario, std::move(found.value().analysis));
+    if (explained) {
+        explained.value().effort = found.value().effort;
+    }
+    co_return explained;
 }
 
 } // namespace cd

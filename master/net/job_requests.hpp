@@ -34,9 +34,10 @@ class JobRequests {
     /// job has ended or the scenario has an undisputed result; Io if the poses cannot be read.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
                                                                      std::uint64_t scenario);
-    /// Scores the workers for a scenario as of now. For an ended job, reports only who answered the
-    /// scenario. Errors: NotFound; Refused while the job is being prepared; Io if the poses cannot
-    /// be read.
+    /// Scores the workers for a scenario as of now, and runs the search of a motion or of a
+    /// distance, for at most `timing::explained_search_max`, to tell what it takes. For an ended
+    /// job, reports only who answered the scenario. Errors: NotFound; Refused while the job is
+    /// being prepared; Io if the poses cannot be read.
     [[nodiscard]] asio::awaitable<Result<Explained>> explain(JobId job, std::uint64_t scenario);
 
   private:

@@ -487,9 +487,14 @@ void serialize(Archive& archive, WorkerScore& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SearchEffort& e) {
+    archive(e.cells, e.leaves, e.roots_named, e.roots_used);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Explained& m) {
     archive(m.job, m.scenario, m.strategy, m.is_by_time);
-    archive(m.where, m.why, m.note, m.roots_a, m.roots_b, m.workers);
+    archive(m.where, m.why, m.note, m.roots_a, m.roots_b, m.workers, m.effort);
 }
 
 template <class Archive>

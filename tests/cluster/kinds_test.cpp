@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <regex>
+
 namespace cd::tests {
 
 namespace {
@@ -151,6 +154,34 @@ TEST_F(Kinds, EachHasTheDigestOfOneProcessOnThreeWorkers) {
             EXPECT_EQ(digest_of(there), digest_of(here)) << analysis;
         }
     }
+}
+
+TEST_F(Kinds, ExplainTellsTheCellsOfAMotionAndTheRootsOfADistance) {
+    // Without a worker, both jobs run as long as the test asks.
+    const auto explained = [&](const char* name, const char* scenario) {
+        const auto kind = std::ranges::find_if(
+            kinds(), [&](const KindOfJob& one) { return std::string(one.name) == name; });
+        write_text(folder_ / "job.toml", text_of(*kind) + "[cluster]\ndepth = { a = 6, b = 4 }\n");
+        const std::string at = master_->address();
+        const Ran sent = tests::run({cdctl(), "submit", folder_ / "job.toml", "--master", at});
+        EXPECT_EQ(sent.exit_code, 0) << sent.errors;
+        Ran told;
+        EXPECT_TRUE(comes_true([&] {
+            told = tests::run({cdctl(), "explain", "last", scenario, "--master", at});
+            return told.errors.find("being prepared") == std::string::npos;
+        }));
+        EXPECT_EQ(told.exit_code, 0) << told.errors;
+        return told.output;
+    };
+    const std::string motion = explained("motion", "0");
+    EXPECT_THAT(motion, testing::ContainsRegex("tests       [1-9][0-9]+ cells of time, [1-9]"));
+    const std::string distance = explained("distance", "3");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(
+        distance, found, std::regex("needs +([0-9]+) of ([0-9]+) pairs of roots")))
+        << distance;
+    EXPECT_GT(std::stoi(found[1]), 0);
+    EXPECT_LT(std::stoi(found[1]), std::stoi(found[2]));
 }
 
 } // namespace cd::tests

@@ -31,6 +31,8 @@ inline constexpr std::chrono::seconds submission_idle_max{60};
 inline constexpr std::chrono::milliseconds watch_period{200};
 /// Longest time that the master delays its answer until a cancellation is on the disk.
 inline constexpr std::chrono::seconds cancel_wait_max{10};
+/// Longest search of one scenario to explain what it takes.
+inline constexpr std::chrono::seconds explained_search_max{5};
 
 // Jobs.
 inline constexpr std::chrono::seconds retention_check_period{30};

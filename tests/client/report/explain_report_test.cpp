@@ -122,6 +122,26 @@ TEST(ExplainReport, JsonGivesEachNumberAsItIs) {
     EXPECT_EQ(json["workers"][1]["total_ms"], 875);
 }
 
+TEST(ExplainReport, OfAMotionTheTestedCellsAndLeavesAreCounted) {
+    Explained explained = make_explained("best-match");
+    EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("  tests ")));
+    EXPECT_FALSE(nlohmann::json::parse(explained_json(explained, "j-1")).contains("effort"));
+    explained.effort = SearchEffort{1041, 521, 12, 12};
+    EXPECT_THAT(explained_text(explained, "j-1"),
+                HasSubstr("  tests       1 041 cells of time, 521 of them leaves\n"));
+    const auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
+    EXPECT_EQ(json["effort"], nlohmann::json({{"cells", 1041}, {"leaves", 521}}));
+}
+
+TEST(ExplainReport, OfADistanceTheRootPairsNamedAndUsedAreCounted) {
+    Explained explained = make_explained("best-match");
+    explained.effort = SearchEffort{0, 0, 12, 3};
+    EXPECT_THAT(explained_text(explained, "j-1"),
+                HasSubstr("  needs       3 of 12 pairs of roots that may have the distance\n"));
+    const auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
+    EXPECT_EQ(json["effort"], nlohmann::json({{"roots_named", 12}, {"roots_used", 3}}));
+}
+
 TEST(ExplainReport, NamesCannotSteerATerminalOrBreakJson) {
     Explained explained = make_explained("best-match");
     explained.workers[0].name = "\x1b[2Jx\xff";

@@ -67,6 +67,12 @@ TEST(SearchCells, TheFirstContactIsBracketed) {
     EXPECT_LE(answer.open_within, 0.125 * (1 + 0x1p-30));
 }
 
+TEST(SearchCells, HalvedCellsAndLeavesAreTheCellsTested) {
+    const MotionAnswer answer = search({{5, 5.5}}, Until::End);
+    EXPECT_EQ(answer.cells, 2 * answer.leaves - 1) << "each halved cell has two halves";
+    EXPECT_GT(answer.leaves, 4u);
+}
+
 TEST(SearchCells, TheWholeTimeIsInRuns) {
     const MotionAnswer answer = search({{5, 5.5}}, Until::End);
     EXPECT_EQ(answer.end, MotionEnd::Contact);
@@ -84,6 +90,7 @@ TEST(SearchCells, WithoutWallsOneCellIsEnough) {
         EXPECT_EQ(answer.end, MotionEnd::Free);
         EXPECT_EQ(answer.runs, (Runs{{CellState::Free, 0, 32}}));
         EXPECT_EQ(answer.cells, 1u);
+        EXPECT_EQ(answer.leaves, 1u);
         EXPECT_EQ(answer.t0, 32u);
         EXPECT_EQ(answer.t1, 32u);
         EXPECT_EQ(answer.open_within, 0);
