@@ -37,6 +37,7 @@ A job.toml has the keys name, unit, and the tables
   [a] [b]    mesh = "car.obj", unit = "mm" (m, cm, mm, km, in, ft), name
              precision = "float" rounds coordinates (default: double if float loses digits);
              up = "y" turns y up to z up (default: the file's axes are not turned);
+             origin = [0, 0, 0.5]: the point of the mesh that poses move and turn about;
              the default unit is the one that the file declares (COLLADA, FBX, 3MF, ...),
              or else the job's
   [poses]    file = "poses.npy" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }

@@ -148,6 +148,9 @@ Json bodies_json(const std::vector<ManifestBody>& bodies) {
         if (body.is_fixed) {
             one["fixed"] = true;
         }
+        if (body.origin != std::array<double, 3>{}) {
+            one["origin"] = body.origin;
+        }
         json.push_back(std::move(one));
     }
     return json;
@@ -217,6 +220,7 @@ std::vector<ManifestBody> read_bodies(const Json& json) {
         }
         body.mesh = *mesh;
         body.is_fixed = value_or(each, "fixed", false);
+        body.origin = value_or(each, "origin", std::array<double, 3>{});
         parts.emplace(body.mesh, value_or<std::vector<std::string>>(each, "parts", {}));
         body.parts = parts.at(body.mesh);
         bodies.push_back(std::move(body));

@@ -18,7 +18,10 @@ std::string body_text(const BodySpec& body, std::string_view key) {
     text += body.unit.empty() ? "" : toml_line("unit", toml_quoted(body.unit));
     text += body.name.empty() ? "" : toml_line("name", toml_quoted(body.name));
     text += body.up.empty() ? "" : toml_line("up", toml_quoted(body.up));
-    return text + (body.rounds_to_float ? toml_line("precision", toml_quoted("float")) : "");
+    text += body.rounds_to_float ? toml_line("precision", toml_quoted("float")) : "";
+    return text + (body.origin == std::array<double, 3>{}
+                       ? ""
+                       : toml_line("origin", toml_list(body.origin, toml_number)));
 }
 
 std::string poses_text(const RandomPoses& random) {

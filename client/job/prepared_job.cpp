@@ -57,7 +57,7 @@ Result<BodyNotes> import_bodies(PreparedJob& job, bool quiet) {
             continue;
         }
         if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
-            body.rounds_to_float == first.rounds_to_float) {
+            body.rounds_to_float == first.rounds_to_float && body.origin == first.origin) {
             job.meshes.push_back(job.meshes[0]);
             notes[1] = notes[0];
             job.spec.bodies[1].declared_unit = first.declared_unit;

@@ -73,6 +73,7 @@ BodySpec spec_of(const JobBody& body, std::size_t number) {
     (body.is_unit_given ? spec.unit : spec.declared_unit) = body.unit;
     spec.up = body.up;
     spec.rounds_to_float = body.rounds_to_float;
+    spec.origin = body.origin;
     return spec;
 }
 
@@ -150,6 +151,7 @@ JobBody body_of(const PreparedJob& job, std::size_t body) {
                                               : given.declared_unit;
     told.up = given.up;
     told.rounds_to_float = given.rounds_to_float;
+    told.origin = given.origin;
     told.is_fixed = job.scene && job.scene->are_fixed[body];
     return told;
 }

@@ -4,6 +4,7 @@
 #include "client/base/units.hpp"
 #include "client/spec/toml_fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -31,6 +32,9 @@ BodySpec read_mesh(const TomlFields& fields, const std::filesystem::path& job) {
     body.unit = fields.word("unit", unit_names()).value_or("");
     body.up = fields.word("up", up_axes).value_or("");
     body.rounds_to_float = fields.word("precision", precision_names) == "float";
+    if (const auto origin = fields.numbers("origin", 3, "[x, y, z]")) {
+        std::ranges::copy(*origin, body.origin.begin());
+    }
     return body;
 }
 

@@ -25,8 +25,8 @@ struct BodySpec {
     std::string declared_unit = {};
 };
 
-/// Reads the keys mesh, unit, up and precision of a body's table. `job` is the job file. Throws a
-/// `Refusal`.
+/// Reads the keys mesh, unit, up, precision and origin of a body's table. `job` is the job file.
+/// Throws a `Refusal`.
 [[nodiscard]] BodySpec read_mesh(const TomlFields& fields, const std::filesystem::path& job);
 
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.

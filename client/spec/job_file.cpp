@@ -27,8 +27,10 @@ BodySpec read_body(const TomlFields& job, std::string_view key, const std::files
     if (table == nullptr) {
         job.refuse(key, "the table [" + std::string(key) + "] with its mesh is missing");
     }
-    const TomlFields fields(
-        table, job, "[" + std::string(key) + "]", {"mesh", "unit", "name", "up", "precision"});
+    const TomlFields fields(table,
+                            job,
+                            "[" + std::string(key) + "]",
+                            {"mesh", "unit", "name", "up", "precision", "origin"});
     BodySpec body = read_mesh(fields, file);
     body.name = fields.text("name").value_or("");
     return body;

@@ -112,9 +112,6 @@ SceneBodySpec read_scene_body(const TomlFields& job,
     SceneBodySpec body;
     body.name = name;
     body.mesh = read_mesh(fields, file);
-    if (const auto origin = fields.numbers("origin", 3, "[x, y, z]")) {
-        body.mesh.origin = {(*origin)[0], (*origin)[1], (*origin)[2]};
-    }
     body.group = fields.text("group").value_or("");
     if (const auto count = fields.integer("count", 1, limits::bodies_max)) {
         body.count = static_cast<std::uint32_t>(*count);

@@ -180,6 +180,9 @@ void put_body(ByteWriter& out, const JobBody& body) {
     out.put_text(body.up);
     out.put(body.rounds_to_float);
     out.put(body.is_fixed);
+    for (const double coordinate : body.origin) {
+        out.put(coordinate);
+    }
 }
 
 JobBody get_body(ByteReader& in) {
@@ -192,6 +195,9 @@ JobBody get_body(ByteReader& in) {
     body.up = in.get_text();
     body.rounds_to_float = in.get<std::uint8_t>() != 0;
     body.is_fixed = in.get<std::uint8_t>() != 0;
+    for (double& coordinate : body.origin) {
+        coordinate = in.get<double>();
+    }
     return body;
 }
 

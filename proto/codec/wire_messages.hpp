@@ -257,6 +257,7 @@ void serialize(Archive& archive, ClusterOptions& o) {
 template <class Archive>
 void serialize(Archive& archive, JobBody& b) {
     archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float, b.is_fixed);
+    archive(b.origin);
 }
 
 template <class Archive>

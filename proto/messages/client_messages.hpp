@@ -56,6 +56,8 @@ struct JobBody {
     std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: no turn.
     bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
     bool is_fixed = false;        ///< In a scene: the body has one pose at all steps.
+    /// The point of the file's mesh, in the job's unit, that the client made the mesh's origin.
+    std::array<double, 3> origin = {};
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };

@@ -145,7 +145,7 @@ inline Submit some_submit() {
     submit.unit = "mm";
     submit.owner = "ilan";
     submit.priority = -3;
-    submit.bodies = {{some_hash(1), "a", "sedan.obj", "in", true, "y", true},
+    submit.bodies = {{some_hash(1), "a", "sedan.obj", "in", true, "y", true, false, {0.5, -1, 2}},
                      {some_hash(2), "b", "van.stl", "m"}};
     submit.query = some_query();
     submit.cluster = {

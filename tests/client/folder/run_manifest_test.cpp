@@ -30,6 +30,7 @@ RunManifest example(PosesKind kind) {
     manifest.job = "name = \"a job\"\n";
     manifest.bodies = {{{sha256({}), "a", "/m/car.obj", "in", false, "y", true}, {"wheel", "hull"}},
                        {{sha256({}), "post", "/m/post.stl", "mm", true}}};
+    manifest.bodies[1].origin = {0.5, -1, 2};
     manifest.query.level = Level::Contacts;
     manifest.query.limit_pairs = 7;
     IgnoredRange range;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -80,6 +81,16 @@ TEST(JobFile, TwoBodiesOfOneNameAreRefused) {
         problem_of_names("name = \"b\"\n", ""),
         "folder/job.toml:4: the job: both bodies have the name \"b\"; exports need two names");
     EXPECT_EQ(problem_of_names("name = \"b\"\n", "name = \"a\"\n"), "none");
+}
+
+TEST(JobFile, ABodyHasTheOriginThatIsGiven) {
+    const std::string bodies = "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\norigin = ";
+    const auto spec = parse(bodies + "[0.5, -1, 2]\n" + random_poses);
+    ASSERT_TRUE(spec) << spec.error().detail;
+    EXPECT_EQ(spec.value().bodies[0].origin, (std::array{0.0, 0.0, 0.0}));
+    EXPECT_EQ(spec.value().bodies[1].origin, (std::array{0.5, -1.0, 2.0}));
+    EXPECT_THAT(parse(bodies + "[1, 2]\n" + random_poses).error().detail,
+                HasSubstr("job.toml:5: [b]: \"origin\" has to be [x, y, z]"));
 }
 
 TEST(JobFile, EveryKeyIsRead) {

@@ -164,6 +164,36 @@ TEST_F(JobFolder, AJobIsVerifiedAndExtractedAsAFolderIs) {
     EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
 }
 
+TEST_F(JobFolder, AMeshWithAnotherOriginIsReadSoAgain) {
+    start_worker();
+    const auto write = [&](const std::string& mesh) {
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\n" + mesh +
+                       "\n[poses]\ngrid = { yaw_deg = [0, 315, 8] }\n[query]\nlevel = "
+                       "\"contacts\"\n");
+    };
+    const Mesh door = make_box({1, 0.125, 0.5});
+    write_obj(folder_ / "door.obj", translated(door, {2, 0.5, 0}));
+    write_obj(folder_ / "hinged.obj", door);
+    write("mesh = \"hinged.obj\"");
+    const Ran hinged = tests::run({cdctl(), "run", folder_ / "job.toml"});
+    write("mesh = \"door.obj\"\norigin = [2, 0.5, 0]");
+    const Ran here =
+        tests::run({cdctl(), "run", folder_ / "job.toml", "--out", folder_ / "x", "--no-inputs"});
+    EXPECT_EQ(here.exit_code, 0) << here.errors;
+    EXPECT_EQ(digest_of(here), digest_of(hinged));
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", folder_ / "x"})), digest_of(hinged));
+
+    const Ran there = cdctl_at_master({"run", folder_ / "job.toml"});
+    EXPECT_EQ(digest_of(there), digest_of(hinged)) << there.errors;
+    const Ran results = cdctl_at_master({"results", "last", "--out", folder_ / "y"});
+    EXPECT_EQ(results.exit_code, 0) << results.errors;
+    const auto run = nlohmann::json::parse(read_text(folder_ / "y" / "run.json"));
+    EXPECT_EQ(run["bodies"][1]["origin"], nlohmann::json({2, 0.5, 0}));
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", folder_ / "y"})), digest_of(hinged));
+    EXPECT_EQ(cdctl_at_master({"verify", "last"}).exit_code, 0);
+}
+
 TEST_F(JobFolder, ACancelledJobKeepsItsResults) {
     write_job("random = { n = 500, seed = 3 }", "level = \"count\"\nmaps = true");
     // Without a worker, the master alone answers all it can.

@@ -174,7 +174,7 @@ TEST_F(SceneFolder, WithoutInputsTheFileOfASplitMeshIsReadAgain) {
     write_text(folder_ / "two.obj",
                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no floor\nf 1 2 3\no side\nf 1 2 4\n");
     write_text(folder_ / "job.toml",
-               "[bodies]\nhall = { mesh = \"two.obj\", split = \"parts\" }\n"
+               "[bodies]\nhall = { mesh = \"two.obj\", split = \"parts\", origin = [0.25, 0, 0] }\n"
                "ball = { mesh = \"ball.obj\", pose = [0, 0, 0, 0, 0, 0, 1], quat_order = \"xyzw\" "
                "}\n[query]\nlevel = \"pairs\"\n");
     const auto manifest = run_into("out", {"--no-inputs"});
