@@ -80,11 +80,15 @@ double bundle_reach(const Aabb& box) {
     return std::ldexp(1.0, exponent);
 }
 
-std::array<std::uint64_t, 2>
+std::array<TileCount, 2>
 tiles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box) {
+    std::array<TileCount, 2> counts;
     const std::array<TileRange, 2> tiles = tiles_of(grid, view_rotation(view), box);
-    return {static_cast<std::uint64_t>(tiles[0].count()),
-            static_cast<std::uint64_t>(tiles[1].count())};
+    for (std::size_t k = 0; k < 2; ++k) {
+        counts[k] = {static_cast<std::int32_t>(tiles[k].first),
+                     static_cast<std::uint64_t>(tiles[k].count())};
+    }
+    return counts;
 }
 
 Result<std::vector<BundlePose>>

@@ -39,9 +39,15 @@ struct BundlePose {
     Pose pose;               ///< From the bundle's coordinates to the world.
 };
 
-/// Returns how many columns and rows of poses `bundle_poses` gives a view of a checked grid, if it
-/// gives any.
-[[nodiscard]] std::array<std::uint64_t, 2>
+/// The bundles of a view along one axis.
+struct TileCount {
+    std::int32_t first = 0; ///< Number of the first one, as in `BundlePose`.
+    std::uint64_t count = 0;
+};
+
+/// Returns the columns and the rows of poses that `bundle_poses` gives a view of a checked grid, if
+/// it gives any.
+[[nodiscard]] std::array<TileCount, 2>
 tiles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box);
 
 /// Returns the poses of `make_bundle` that together cover a box, by view, row and column. The

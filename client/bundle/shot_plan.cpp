@@ -20,6 +20,14 @@ Result<T> at_place(const ShotsSpec& spec, Result<T> result) {
                                         : Result<T>(bad_input(spec.place + result.error().detail));
 }
 
+std::string bundle_id(const ShotView& view, std::int64_t column, std::int64_t row) {
+    return fmt::format("az={} el={} tile={},{}",
+                       exact_text(view.azimuth_deg),
+                       exact_text(view.elevation_deg),
+                       column,
+                       row);
+}
+
 } // namespace
 
 std::vector<ShotView> ShotsSpec::views() const {
@@ -76,14 +84,26 @@ ShotViews::ShotViews(const ShotsSpec& spec, const Aabb& box) {
     for (const ShotView& view : views_) {
         begins_.push_back(begin);
         tiles_.push_back(tiles_in_view(spec.grid, view, box));
-        begin += tiles_.back()[0] * tiles_.back()[1];
+        begin += tiles_.back()[0].count * tiles_.back()[1].count;
     }
     bundles_ = begin;
 }
 
+std::string ShotViews::id_of(std::uint64_t bundle) const {
+    if (views_.empty()) {
+        return {};
+    }
+    const std::uint32_t view = view_of(bundle);
+    const auto& [columns, rows] = tiles_[view];
+    const std::uint64_t tile = bundle - begins_[view];
+    return bundle_id(views_[view],
+                     columns.first + static_cast<std::int64_t>(tile % columns.count),
+                     rows.first + static_cast<std::int64_t>(tile / columns.count));
+}
+
 LinePlace ShotViews::size(std::uint32_t view) const {
     return views_.empty() ? LinePlace{}
-                          : LinePlace{tiles_[view][0] * tile_, tiles_[view][1] * tile_};
+                          : LinePlace{tiles_[view][0].count * tile_, tiles_[view][1].count * tile_};
 }
 
 std::string ShotViews::direction_text(std::uint32_t view) const {
@@ -96,7 +116,7 @@ std::string ShotViews::direction_text(std::uint32_t view) const {
 LinePlace ShotViews::place_of(std::uint64_t bundle, std::uint32_t line) const {
     const std::uint32_t view = view_of(bundle);
     const std::uint64_t tile = bundle - begins_[view];
-    const std::uint64_t columns = tiles_[view][0];
+    const std::uint64_t columns = tiles_[view][0].count;
     return {tile % columns * tile_ + line % tile_, tile / columns * tile_ + line / tile_};
 }
 
@@ -119,12 +139,7 @@ PoseLabels shot_labels(const ShotsSpec& spec, const std::vector<BundlePose>& pos
     const std::vector<ShotView> views = spec.views();
     labels.texts.reserve(poses.size());
     for (const BundlePose& pose : poses) {
-        const ShotView& view = views[pose.view];
-        labels.texts.push_back(fmt::format("az={} el={} tile={},{}",
-                                           exact_text(view.azimuth_deg),
-                                           exact_text(view.elevation_deg),
-                                           pose.column,
-                                           pose.row));
+        labels.texts.push_back(bundle_id(views[pose.view], pose.column, pose.row));
     }
     return labels;
 }

@@ -78,6 +78,8 @@ class ShotViews {
     [[nodiscard]] const ShotView& view(std::uint32_t view) const { return views_[view]; }
     /// Names a direction: "azimuth 30, elevation -15"; that of lines of a file "lines of a file".
     [[nodiscard]] std::string direction_text(std::uint32_t view) const;
+    /// Names a bundle: "az=30 el=-15 tile=2,-1"; empty for lines of a file.
+    [[nodiscard]] std::string id_of(std::uint64_t bundle) const;
     /// Returns the number of columns and of rows of lines in a direction; 0 for lines of a file.
     [[nodiscard]] LinePlace size(std::uint32_t view) const;
     /// Returns where a line of a bundle is, for lines of a grid.
@@ -86,15 +88,15 @@ class ShotViews {
     [[nodiscard]] double cell_area() const { return cell_area_; }
 
   private:
-    std::vector<ShotView> views_;                     ///< Empty for lines of a file.
-    std::vector<std::uint64_t> begins_;               ///< The first bundle of each direction.
-    std::vector<std::array<std::uint64_t, 2>> tiles_; ///< Columns and rows of bundles, likewise.
+    std::vector<ShotView> views_;                 ///< Empty for lines of a file.
+    std::vector<std::uint64_t> begins_;           ///< The first bundle of each direction.
+    std::vector<std::array<TileCount, 2>> tiles_; ///< Columns and rows of bundles, likewise.
     std::uint64_t bundles_ = 1;
     std::uint64_t tile_ = 1; ///< Lines along a side of a bundle.
     double cell_area_ = 0;
 };
 
-/// Returns ids for the poses of a grid, such as "az=30 el=-15 tile=2,-1"; none for a file.
+/// Returns ids for the poses of a grid, as `ShotViews::id_of`; none for a file.
 [[nodiscard]] PoseLabels shot_labels(const ShotsSpec& spec, const std::vector<BundlePose>& poses);
 
 } // namespace cd

@@ -213,29 +213,9 @@ Html RunDocument::most_hits() const {
     if (overview_.worst().empty()) {
         return {};
     }
-    if (job_.scene) {
-        return most_hits_of_scene();
-    }
     std::vector<std::vector<Html>> rows{html_texts({"bundle", "hits"})};
     for (const ScenarioResult& result : overview_.worst()) {
         rows.push_back(html_texts({names_.label_of(result.index), grouped(result.pair_count)}));
-    }
-    return html_section("Most hits", html_table(rows, "groups"));
-}
-
-/// Lists the bundles with most hits of a body, by step, body and direction.
-Html RunDocument::most_hits_of_scene() const {
-    const auto views = views_of(job_.spec, *job_.meshes[0]);
-    const StepIndex& steps = *job_.scene->steps;
-    std::vector<std::vector<Html>> rows{
-        html_texts({"scenario", "step", "body", "direction", "hits"})};
-    for (const ScenarioResult& result : overview_.worst()) {
-        const std::uint64_t bundle = result.step.value_or(0) % views->bundles();
-        rows.push_back(html_texts({names_.label_of(result.index),
-                                   std::to_string(steps.step_of(result.index)),
-                                   short_name(job_.names[result.body_a]),
-                                   views->direction_text(views->view_of(bundle)),
-                                   grouped(result.pair_count)}));
     }
     return html_section("Most hits", html_table(rows, "groups"));
 }

@@ -35,7 +35,7 @@ class RunDocument {
           overview_(overview),
           statuses_(statuses),
           pictures_(pictures),
-          names_(manifest, job.labels) {}
+          names_(manifest, job) {}
 
     void set_baseline(BaselineNote note) { baseline_ = std::move(note); }
     /// Says why the run's groups are unknown.
@@ -57,7 +57,6 @@ class RunDocument {
     [[nodiscard]] Html worst();
     /// Returns the table of the bundles of lines with most hits.
     [[nodiscard]] Html most_hits() const;
-    [[nodiscard]] Html most_hits_of_scene() const;
     [[nodiscard]] Result<Html> charts(const StopCheck& stop) const;
     [[nodiscard]] Html how_it_ran() const;
 

@@ -43,7 +43,7 @@ class ScenariosCsvWriter final : public ResultWriter {
             row_.add(",", result.pair_count);
         }
         if (const auto bundle = context_.bundle_of(result)) {
-            row_.add(",", *bundle);
+            row_.add(",", *bundle, ",", csv_field(context_.bodies.back().views->id_of(*bundle)));
         }
         if (times_) {
             add_motion(result);
@@ -112,7 +112,7 @@ class ScenariosCsvWriter final : public ResultWriter {
                ",class,count," + (context_.clearance ? "near_count," : "") +
                (context_.has_distance() ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz,"
                                         : "") +
-               (has_hits_ ? "hits," : "") + (has_hits_ && steps_ ? "bundle," : "") +
+               (has_hits_ ? "hits," : "") + (has_hits_ && steps_ ? "bundle,bundle_id," : "") +
                (times_ ? "end,t0,t1," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }

@@ -59,6 +59,7 @@ class JsonWriter final : public ResultWriter {
             line["time"] = context_.steps->time_of(step);
             if (const auto bundle = context_.bundle_of(result)) {
                 line["bundle"] = *bundle;
+                line["bundle_id"] = context_.bodies.back().views->id_of(*bundle);
             }
         }
         if (result.level != Level::Any) {

@@ -70,7 +70,6 @@ Status MotionSections::add(const ScenarioResult& result, const PreparedJob& job)
     }
     const MotionOutcome& motion = *result.motion;
     lines_.push_back({result.index,
-                      job.scene ? job.names[result.body_a] + " x " + job.names[result.body_b] : "",
                       {times_.at(result, 0), times_.at(result, 1u << motion.depth)},
                       TimeStrip(motion, is_near_event(result)),
                       text(result),
@@ -167,8 +166,7 @@ Html MotionSections::lines(const RunNames& names) const {
     }
     std::vector<std::vector<Html>> rows{html_texts(head)};
     for (const Line& line : lines_) {
-        const std::string bodies = line.bodies.empty() ? "" : ", " + short_name(line.bodies);
-        rows.push_back({Html::text(names.name_of(line.scenario) + bodies),
+        rows.push_back({Html::text(names.name_of(line.scenario)),
                         Html::text(exact_text(line.span[0])),
                         line.strip.svg(),
                         Html::text(exact_text(line.span[1])),

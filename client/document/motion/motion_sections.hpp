@@ -48,7 +48,6 @@ class MotionSections {
     /// A motion's line.
     struct Line {
         std::uint64_t scenario = 0;
-        std::string bodies;           ///< Their names in a scene of many bodies; else empty.
         std::array<double, 2> span{}; ///< The motion's begin and end in the poses' time.
         TimeStrip strip;
         std::string text;  ///< What is proven.

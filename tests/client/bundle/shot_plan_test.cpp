@@ -49,13 +49,19 @@ TEST(ShotPlan, AGridHasOneBundleAndPosesInAllDirections) {
 
 TEST(ShotPlan, EachPoseOfAGridHasAnIdOfItsOwn) {
     const ShotsSpec spec = some_grid();
-    const auto poses = shot_poses(spec, box_of(Vec3(0, 0, 0), Vec3(1, 1, 1))).value();
+    const Aabb box = box_of(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const auto poses = shot_poses(spec, box).value();
     const PoseLabels labels = shot_labels(spec, poses);
     ASSERT_EQ(labels.texts.size(), poses.size());
     EXPECT_THAT(labels.texts.front(), HasSubstr("az=0 el=-45 tile="));
     EXPECT_THAT(labels.texts.back(), HasSubstr("az=90 el=45 tile="));
     const std::set<std::string> distinct(labels.texts.begin(), labels.texts.end());
     EXPECT_EQ(distinct.size(), poses.size());
+    const ShotViews views(spec, box);
+    ASSERT_EQ(views.bundles(), poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        EXPECT_EQ(views.id_of(i), labels.texts[i]);
+    }
 }
 
 TEST(ShotPlan, LinesOfAFileStandWhereTheyAre) {
@@ -66,6 +72,7 @@ TEST(ShotPlan, LinesOfAFileStandWhereTheyAre) {
     ASSERT_EQ(poses.size(), 1u);
     EXPECT_EQ(poses.front().pose.apply(Vec3(1, 2, 3)), Vec3(1, 2, 3));
     EXPECT_TRUE(shot_labels(spec, poses).is_empty());
+    EXPECT_EQ(ShotViews(spec, box).id_of(0), "");
     EXPECT_EQ(shot_mesh(spec, box).error().code, ErrorCode::NotFound);
 }
 

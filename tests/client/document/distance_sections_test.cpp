@@ -43,8 +43,8 @@ class DistanceReport : public testing::Test {
 
     const TemporaryFolder folder_;
     RunManifest manifest_;
-    PoseLabels labels_;
-    const RunNames names_{manifest_, labels_};
+    const PreparedJob named_{};
+    const RunNames names_{manifest_, named_};
 };
 
 } // namespace

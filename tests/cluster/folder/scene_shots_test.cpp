@@ -15,6 +15,7 @@ namespace cd::tests {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class SceneShotsFolder : public ClusterFolder {
@@ -214,6 +215,7 @@ TEST_F(SceneShotsFolder, IsReportedWithItsPartsAndPictures) {
     const std::string html = read_text(folder_ / "report.html");
     EXPECT_THAT(html, HasSubstr("ring.1/"));
     EXPECT_THAT(html, HasSubstr("azimuth 45, elevation 90"));
+    EXPECT_THAT(html, ContainsRegex("<td>#[0-9]+, step [0-2], [a-z]+(.[01])?, az=[0-9]+ el=[0-9]"));
     EXPECT_THAT(html, HasSubstr("in the mean over all directions and steps"));
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / "thickness-az45-el90.png"));
 }

@@ -106,8 +106,8 @@ class MotionReport : public testing::Test {
     bool a_moves_ = false;
     std::vector<ScenarioResult> results_;
     RunManifest manifest_;
-    PoseLabels labels_;
-    const RunNames names_{manifest_, labels_};
+    const PreparedJob named_{};
+    const RunNames names_{manifest_, named_};
 };
 
 } // namespace

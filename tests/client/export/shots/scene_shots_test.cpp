@@ -167,7 +167,9 @@ TEST_F(SceneShots, PassagesOfALineAreInOneOrderOverAllBodies) {
         EXPECT_EQ(std::stod(rows[i].at("cos_in")), 1);
     }
     EXPECT_EQ(of_second_step, 4u);
-    EXPECT_THAT(read_text(folder_ / "scenarios.csv"), HasSubstr("count,hits,bundle,cut"));
+    const std::string scenarios = read_text(folder_ / "scenarios.csv");
+    EXPECT_THAT(scenarios, HasSubstr("count,hits,bundle,bundle_id,cut"));
+    EXPECT_THAT(scenarios, HasSubstr(",0,\"az=0 el=0 tile="));
 }
 
 TEST_F(SceneShots, WithFirstALineHasOneCrossingOfAllBodies) {
