@@ -35,7 +35,7 @@ Results read_folder(const std::filesystem::path& folder,
     const auto meshes = value_of(run.meshes());
     const cd::ExportContext context = value_of(cd::export_context(run));
     ResultArrays results(each_window, names_of(context));
-    results.number_steps(context.steps);
+    results.number_steps(context);
     check(run.records().for_each([&](const cd::RecordView& record) -> cd::Status {
         results.add(record.result, {});
         return cd::Done{};
@@ -73,7 +73,7 @@ class JobRun {
     Results run(const std::function<void(Results&&)>& each_window, KeptAnswers* kept) {
         const cd::ExportContext context = cd::export_context(job_);
         ResultArrays results(each_window, names_of(context));
-        results.number_steps(context.steps);
+        results.number_steps(context);
         if (job_.query.maps) {
             results.count_maps(cd::body_part_runs(*job_.meshes[0], *job_.meshes[1]));
         }

@@ -152,7 +152,11 @@ void ResultArrays::add(const cd::ScenarioResult& result, std::span<const cd::Con
         add_motion(result);
     }
     if (result.step) {
-        window_.step.push_back(steps_ ? steps_->step_of(result.index) : *result.step);
+        const bool knows_steps = scene_ && scene_->steps != nullptr;
+        window_.step.push_back(knows_steps ? scene_->steps->step_of(result.index) : *result.step);
+        if (const auto bundle = knows_steps ? scene_->bundle_of(result) : std::nullopt) {
+            window_.bundle.push_back(*bundle);
+        }
         window_.body_a.push_back(result.body_a);
         window_.body_b.push_back(result.body_b);
     }

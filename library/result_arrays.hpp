@@ -6,7 +6,6 @@
 #include "common/geometry/part_runs.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
-#include "common/scene/step_index.hpp"
 #include "library/include/cdcluster/cdcluster.hpp"
 
 #include <array>
@@ -33,9 +32,9 @@ class ResultArrays {
                           std::vector<std::string> body_names = {},
                           std::uint64_t first = 0);
 
-    /// Takes the step of each result from these, the steps of a scene: with lines, the step in a
-    /// result names its bundle, too. Null: results have the steps that they tell.
-    void number_steps(std::shared_ptr<const cd::StepIndex> steps) { steps_ = std::move(steps); }
+    /// Takes the step of each result, and with lines its bundle, from the job: with lines, the step
+    /// in a record of a scene names both.
+    void number_steps(const cd::ExportContext& context) { scene_ = context; }
 
     /// Adds the next result; `found` has all its pairs if the job has maps.
     void add(const cd::ScenarioResult& result, std::span<const cd::ContactPair> found);
@@ -63,7 +62,7 @@ class ResultArrays {
 
     EachWindow each_window_;
     std::vector<std::string> body_names_;
-    std::shared_ptr<const cd::StepIndex> steps_;
+    std::optional<cd::ExportContext> scene_;
     Results window_;
     std::optional<cd::ContactMapSum> map_;
 };

@@ -128,7 +128,7 @@ Results Cluster::results(const std::string& id, bool partial, const cd::StopChec
     const cd::PreparedJob& prepared = job.prepared();
     const cd::ExportContext context = cd::export_context(prepared);
     ResultArrays results({}, names_of(context));
-    results.number_steps(context.steps);
+    results.number_steps(context);
     const auto report = taken(job.fetch([&](const cd::DoneScenario& done) -> cd::Status {
         results.add(done.result, {});
         return cd::Done{};

@@ -70,6 +70,8 @@ void define_results(py::module_& module) {
     });
     array("step",
           [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.step, self); });
+    array("bundle",
+          [](const Results& r, auto& self) { return view_of<std::uint64_t>(r.bundle, self); });
     array("body_a",
           [](const Results& r, auto& self) { return view_of<std::uint32_t>(r.body_a, self); });
     array("body_b",

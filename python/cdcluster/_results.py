@@ -23,7 +23,8 @@ class Results:
     distance (N,) f8, witness (N, 2) u4, witness_points (N, 2, 3) f8: NaN where there is none.
     step, body_a, body_b (N,): of a scene; bodies are indices of `body_names`.
     motion_end, motion_depth, t0, t1, run_offsets, runs (R, 5): of motions, as in results.npz.
-    hit_depth, hit_flags, hit_rank (M,): of shot lines.
+    hits (M, 2) u4, hit_depth, hit_flags, hit_rank (M,): of shot lines, as in shots.npz: triangle of A and line.
+    bundle (N,) u8: of shot lines in a scene, the bundle of each scenario in its step.
     map_a, map_b (T,) u8: with maps, the scenarios in which each triangle is in contact or near.
     failures: reasons, by scenario. digest: SHA-256 over all results; empty while some are missing.
     """
@@ -47,6 +48,11 @@ class Results:
         if not 0 <= scenario < len(self) or not len(offsets):
             raise IndexError(f"there are no pairs of scenario {scenario} of {len(self)}")
         return self._native.pairs[offsets[scenario]:offsets[scenario + 1]]
+
+    @property
+    def hits(self):
+        """Of shot lines, the triangle of A and the line of each hit, (M, 2) u4: those of `pairs`."""
+        return self._native.pairs[:len(self._native.hit_depth)]
 
     @property
     def index(self):
@@ -86,6 +92,6 @@ class Results:
 
 for _name in ("first", "kind", "count", "near_count", "surfaces_only", "offsets", "pairs", "pair_class",
               "point_offsets", "points", "pair_distance", "hit_depth", "hit_flags", "hit_rank", "distance",
-              "witness", "witness_points", "step", "body_a", "body_b", "body_names", "motion_end",
+              "witness", "witness_points", "step", "bundle", "body_a", "body_b", "body_names", "motion_end",
               "motion_depth", "t0", "t1", "run_offsets", "runs", "map_a", "map_b", "failures", "digest"):
     setattr(Results, _name, property(lambda self, name=_name: getattr(self._native, name)))

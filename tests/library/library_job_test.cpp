@@ -147,6 +147,22 @@ TEST_P(LibraryJob, RunsAsTheProgramDoes) {
     EXPECT_EQ(results.map_a.empty(), GetParam().first != "maps");
 }
 
+TEST_F(LibraryJob, LinesThroughASceneHaveTheArraysOfTheirFile) {
+    (void)digest_of_program(jobs.at("lines"));
+    const auto results = cdcluster::run(job(jobs.at("lines")));
+    const auto arrays = read_npz(folder_ / "by-program/shots.npz");
+    ASSERT_TRUE(arrays) << arrays.error().detail;
+    ASSERT_EQ(results.bundle.size(), results.size());
+    expect_array(arrays.value(), "step", results.step);
+    expect_array(arrays.value(), "bundle", results.bundle);
+    expect_array(arrays.value(), "body", results.body_a);
+    expect_array(arrays.value(), "offsets", results.offsets);
+    expect_array(arrays.value(), "hits", results.pairs);
+    expect_array(arrays.value(), "depth", results.hit_depth);
+    EXPECT_GT(*std::ranges::max_element(results.bundle), 1u);
+    EXPECT_TRUE(cdcluster::run(job(jobs.at("shots"))).bundle.empty());
+}
+
 TEST_P(LibraryJob, WritesAFolderThatCanBeRunAgain) {
     cdcluster::RunOptions options;
     options.out = folder_ / "out";

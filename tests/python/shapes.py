@@ -63,3 +63,7 @@ SHOTS = {
     "a": {"mesh": "body.obj"}, "query": {"level": "pairs"},
     "shots": {"spacing": 0.25, "azimuth_deg": [0, 90, 2], "elevation_deg": [0, 45, 2]},
 }
+SCENE_SHOTS = {
+    "bodies": SCENE["bodies"], "poses": SCENE["poses"], "query": {"level": "pairs"},
+    "shots": {"spacing": 0.5, "tile": 8, "azimuth_deg": [0, 90, 2]},
+}

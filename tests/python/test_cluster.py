@@ -14,10 +14,10 @@ import pytest
 import cdcluster as cd
 from cdcluster._toml import toml_text
 from cluster import address, program, running
-from shapes import MOTION, SCENE, SHOTS, poses, torus, write_obj, write_steps
+from shapes import MOTION, SCENE, SCENE_SHOTS, SHOTS, poses, torus, write_obj, write_steps
 
 ARRAYS = ("kind", "count", "near_count", "offsets", "pairs", "pair_class", "points", "distance", "witness",
-          "witness_points", "step", "body_a", "body_b", "motion_end", "t0", "t1", "runs", "hit_depth", "map_a", "map_b")
+          "witness_points", "step", "bundle", "body_a", "body_b", "motion_end", "t0", "t1", "runs", "hit_depth", "map_a", "map_b")
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +109,7 @@ JOBS = {
     "contacts": {**PAIR, "query": {"level": "contacts"}},
     "distance": {**PAIR, "query": {"level": "distance"}},
     "random": {"a": {"mesh": "body.obj"}, "b": {"mesh": "body.obj"}, "poses": {"random": {"n": 50, "seed": 3}}},
-    "scene": SCENE, "motion": MOTION, "shots": SHOTS,
+    "scene": SCENE, "motion": MOTION, "shots": SHOTS, "scene-shots": SCENE_SHOTS,
 }
 
 

@@ -18,7 +18,7 @@ import pytest
 
 import cdcluster as cd
 from cluster import address, program, running
-from shapes import MOTION, SCENE, SHOTS, matrices, poses, torus, write_obj, write_steps
+from shapes import MOTION, SCENE, SCENE_SHOTS, SHOTS, matrices, poses, torus, write_obj, write_steps
 
 CDCTL = os.environ["CDCTL"]
 
@@ -303,7 +303,7 @@ def test_other_threads_run_while_a_call_does(body):
     assert during > 3
 
 
-@pytest.mark.parametrize("job", [SCENE, MOTION, SHOTS], ids=["scene", "motion", "shots"])
+@pytest.mark.parametrize("job", [SCENE, MOTION, SHOTS, SCENE_SHOTS], ids=["scene", "motion", "shots", "scene-shots"])
 def test_jobs_of_every_kind(job, body, tmp_path):
     write_obj(tmp_path / "body.obj", body)
     write_steps(tmp_path / "steps.csv")
@@ -318,8 +318,18 @@ def test_jobs_of_every_kind(job, body, tmp_path):
     if job is MOTION:
         assert results.motion_end[0] == 1 and 0 < results.t0[0] < results.t1[0] < 1 << results.motion_depth[0]
         assert results.runs.shape[1] == 5
-    if job is SHOTS:
-        assert len(results.hit_depth) == len(results.pairs) > 0 and (results.hit_depth > 0).all()
+    if "shots" in job:
+        assert len(results.hit_depth) == len(results.hits) > 0 and (results.hit_depth > 0).all()
+        subprocess.run([CDCTL, "run", "out", "--out", "npz", "--formats", "npz"], cwd=tmp_path, check=True,
+                       stdout=subprocess.DEVNULL)
+        shots = np.load(tmp_path / "npz/shots.npz")
+        named = {"offsets": "offsets", "hits": "hits", "depth": "hit_depth", "flags": "hit_flags", "rank": "hit_rank"}
+        named |= {"step": "step", "bundle": "bundle", "body": "body_a"} if "bodies" in job else {}
+        for array, name in named.items():
+            assert (shots[array] == getattr(results, name)).all(), name
+        assert (shots["index"] == results.index).all() and len(results.bundle) == ("bodies" in job) * len(results)
+    else:
+        assert len(results.hits) == 0
 
 
 def test_tables_for_pandas(body):

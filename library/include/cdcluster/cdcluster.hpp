@@ -211,6 +211,7 @@ struct NearestArrays {
 /// The steps and bodies of a scene.
 struct SceneArrays {
     std::vector<std::uint64_t> step;
+    std::vector<std::uint64_t> bundle; ///< With shot lines: the number of the bundle in its step.
     std::vector<std::uint32_t> body_a; ///< An index of `body_names`.
     std::vector<std::uint32_t> body_b;
     std::vector<std::string> body_names; ///< Of all jobs: the names of the bodies.
