@@ -50,7 +50,8 @@ A job.toml has the keys name, unit, and the tables
              azimuth_deg = [0, 355, 72], elevation_deg = [-30, 90, 13], jitter = { seed = 1 },
              first = true: only the first hits; or file = "rays.npy", form = "rays" | "ends"
   [query]    level = "any" | "count" | "pairs" | "contacts", limit_pairs = 10_000,
-             clearance = 0.005: also finds what is at most this far apart, in the job's unit;
+             clearance = 0.005: also finds what is at most this far apart, in the job's unit
+             (at level any, a scenario that is near takes two searches);
              level = "distance": how far the bodies are apart, with up_to = 2.5 if not farther;
              ignore = [["wheel_*", "ground"]]: parts of a with parts of b;
              or "a/wheel_*", with the body's name; \ before / * ? [ in names;

@@ -149,6 +149,16 @@ Result<std::optional<MotionSections>> read_motions_of(const RunAtHand& run) {
     return sections;
 }
 
+/// Reads what the steps of a scene tell; nothing for a run of two bodies.
+Result<std::optional<SceneSections>> read_scene_of(const RunAtHand& run) {
+    std::optional<SceneSections> sections;
+    if (run.job.scene) {
+        sections =
+            CD_TRY(SceneSections::read(run.run.records(), run.job, &InterruptGuard::has_come));
+    }
+    return sections;
+}
+
 /// Begins the sum of a run's groups, or an empty one if they are unknown. Errors: BadInput if they
 /// are unknown, but there is a baseline to compare with.
 Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
@@ -244,6 +254,10 @@ Result<int> perform(const ReportCommand& command) {
     const std::optional<ShotsSections> shots = CD_TRY(read_lines_of(at_hand));
     if (shots) {
         document.set_shots(*shots);
+    }
+    const std::optional<SceneSections> scene = CD_TRY(read_scene_of(at_hand));
+    if (scene) {
+        document.set_scene(*scene);
     }
     const std::optional<MotionSections> motions = CD_TRY(read_motions_of(at_hand));
     if (motions) {

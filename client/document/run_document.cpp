@@ -319,6 +319,7 @@ Html RunDocument::how_it_ran() const {
 Result<std::string> RunDocument::html(const StopCheck& stop) {
     Html body = verdict();
     body += bodies();
+    body += scene_ != nullptr ? scene_->section() : Html();
     body += shots_ != nullptr ? shots_->parts() : Html();
     body += shots_ != nullptr ? shots_->pictures() : Html();
     body += motions_ != nullptr ? motions_->lines(names_) : Html();

@@ -10,6 +10,7 @@
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_names.hpp"
 #include "client/document/run_overview.hpp"
+#include "client/document/scene_sections.hpp"
 #include "client/document/shots_sections.hpp"
 #include "client/folder/run_manifest.hpp"
 #include "client/job/prepared_job.hpp"
@@ -44,6 +45,8 @@ class RunDocument {
     void set_viewer(const EmbeddedViewer& viewer) { viewer_ = &viewer; }
     /// Adds what a run tells of shot lines. It outlives the object.
     void set_shots(const ShotsSections& shots) { shots_ = &shots; }
+    /// Adds what a run tells of the steps of a scene. It outlives the object.
+    void set_scene(const SceneSections& scene) { scene_ = &scene; }
     /// Adds what a run tells of motions. It outlives the object.
     void set_motions(const MotionSections& motions) { motions_ = &motions; }
     /// Returns the report as an HTML document, below 5 MB without the viewer. Reads all poses.
@@ -77,6 +80,7 @@ class RunDocument {
     std::string no_groups_;
     const EmbeddedViewer* viewer_ = nullptr;
     const ShotsSections* shots_ = nullptr;
+    const SceneSections* scene_ = nullptr;
     const MotionSections* motions_ = nullptr;
 };
 
