@@ -184,6 +184,13 @@ TEST_F(JobFolder, AMeshWithAnotherOriginIsReadSoAgain) {
     EXPECT_EQ(digest_of(here), digest_of(hinged));
     EXPECT_EQ(digest_of(tests::run({cdctl(), "run", folder_ / "x"})), digest_of(hinged));
 
+    const Ran extracted =
+        tests::run({cdctl(), "extract", folder_ / "x", "1", "--out", folder_ / "case"});
+    EXPECT_EQ(extracted.exit_code, 0) << extracted.errors;
+    const auto expected = nlohmann::json::parse(read_text(folder_ / "case" / "expected.json"));
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", folder_ / "case" / "job.toml"})),
+              expected["digest"].get<std::string>().substr(0, 16));
+
     const Ran there = cdctl_at_master({"run", folder_ / "job.toml"});
     EXPECT_EQ(digest_of(there), digest_of(hinged)) << there.errors;
     const Ran results = cdctl_at_master({"results", "last", "--out", folder_ / "y"});
