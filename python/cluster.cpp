@@ -41,6 +41,7 @@ JobFacts facts_of(const cd::JobStatus& status, std::string id) {
     facts.number = status.job.value;
     facts.name = status.name;
     facts.owner = status.turn.owner;
+    facts.priority = status.turn.priority;
     facts.state = cd::to_text(status.state);
     facts.failure = status.failure;
     facts.paused = status.paused;
@@ -48,7 +49,6 @@ JobFacts facts_of(const cd::JobStatus& status, std::string id) {
     facts.total = status.summary.total;
     facts.rate = status.scenarios_per_second;
     facts.seconds = status.seconds;
-    facts.is_running = status.state == cd::JobState::Running;
     return facts;
 }
 
@@ -83,8 +83,9 @@ JobFacts Cluster::job(const std::string& id, const cd::StopCheck& stop) const {
     return facts_of(taken(cd::open_job(master_, id, stop)));
 }
 
-JobFacts Cluster::send(cd::PreparedJob& job, cd::Connection& connection) const {
-    const cd::JobId id = taken(cd::send_job(connection, job, true));
+JobFacts
+Cluster::send(cd::PreparedJob& job, std::int32_t priority, cd::Connection& connection) const {
+    const cd::JobId id = taken(cd::send_job(connection, job, true, priority));
     const cd::ClusterStatus cluster = taken(connection.status());
     const auto status = std::ranges::find(cluster.jobs, id, &cd::JobStatus::job);
     if (status == cluster.jobs.end()) {
@@ -93,12 +94,12 @@ JobFacts Cluster::send(cd::PreparedJob& job, cd::Connection& connection) const {
     return facts_of(*status, cd::job_id_text(id, cd::ids_of(cluster.jobs)));
 }
 
-JobFacts Cluster::submit(const Job& job, const cd::StopCheck& stop) const {
+JobFacts Cluster::submit(const Job& job, std::int32_t priority, const cd::StopCheck& stop) const {
     const auto connection = taken(cd::open_master(master_, stop));
     cd::ThreadPool pool;
     cd::PreparedJob prepared = prepare_to_submit(job, tree_cache_, pool);
     cd::make_paths_absolute(prepared);
-    return send(prepared, *connection);
+    return send(prepared, priority, *connection);
 }
 
 JobFacts Cluster::submit(const Mesh& a,
@@ -106,11 +107,12 @@ JobFacts Cluster::submit(const Mesh& a,
                          const Poses& poses,
                          const Query& query,
                          const std::string& name,
+                         std::int32_t priority,
                          const cd::StopCheck& stop) const {
     const auto connection = taken(cd::open_master(master_, stop));
     cd::PreparedJob job =
         pair_job(a, b, std::make_unique<BorrowedPoses>(poses), poses.form, query, name);
-    return send(job, *connection);
+    return send(job, priority, *connection);
 }
 
 JobFacts Cluster::cancel(const std::string& id, const cd::StopCheck& stop) const {

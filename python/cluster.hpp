@@ -36,6 +36,7 @@ struct JobFacts {
     std::uint64_t number = 0;
     std::string name;
     std::string owner;
+    std::int32_t priority = 0;
     std::string state;   ///< running, done, cancelled or failed.
     std::string failure; ///< Why the job failed; else empty.
     std::string paused;  ///< Why the job is paused; else empty.
@@ -43,7 +44,6 @@ struct JobFacts {
     std::uint64_t total = 0;
     double rate = 0; ///< Scenarios a second.
     double seconds = 0;
-    bool is_running = false;
 };
 
 /// A master. Each call connects anew, so that nothing is open between calls: any number of threads
@@ -61,13 +61,16 @@ class Cluster {
     /// Finds a job by its id, a prefix of it, its number, or "last".
     [[nodiscard]] JobFacts job(const std::string& id, const cd::StopCheck& stop) const;
 
-    [[nodiscard]] JobFacts submit(const Job& job, const cd::StopCheck& stop) const;
+    /// `priority`: -10 to 10; jobs of higher priority go first.
+    [[nodiscard]] JobFacts
+    submit(const Job& job, std::int32_t priority, const cd::StopCheck& stop) const;
     /// Submits a question about two meshes. An empty name stands for that of `cdctl`.
     [[nodiscard]] JobFacts submit(const Mesh& a,
                                   const Mesh& b,
                                   const Poses& poses,
                                   const Query& query,
                                   const std::string& name,
+                                  std::int32_t priority,
                                   const cd::StopCheck& stop) const;
     /// Cancels a job unless it has ended.
     [[nodiscard]] JobFacts cancel(const std::string& id, const cd::StopCheck& stop) const;
@@ -84,7 +87,8 @@ class Cluster {
               const cd::StopCheck& stop) const;
 
   private:
-    [[nodiscard]] JobFacts send(cd::PreparedJob& job, cd::Connection& connection) const;
+    [[nodiscard]] JobFacts
+    send(cd::PreparedJob& job, std::int32_t priority, cd::Connection& connection) const;
 
     cd::MasterOptions master_;
     std::filesystem::path tree_cache_;

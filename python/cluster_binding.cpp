@@ -29,11 +29,13 @@ JobFacts submit_pair(const Cluster& cluster,
                      const Doubles& poses,
                      PoseForm form,
                      const py::dict& asked,
-                     const std::string& name) {
+                     const std::string& name,
+                     std::int32_t priority) {
     const Query query = query_of(asked, {});
     const Poses rows{span_of(poses), form};
     const SignalStop stop;
-    return stop.run([&] { return cluster.submit(a, b, rows, query, name, stop.check()); });
+    return stop.run(
+        [&] { return cluster.submit(a, b, rows, query, name, priority, stop.check()); });
 }
 
 /// A watch that ends when a signal's handler raises.
@@ -51,14 +53,14 @@ void define_facts(py::module_& module) {
         .def_readonly("number", &JobFacts::number)
         .def_readonly("name", &JobFacts::name)
         .def_readonly("owner", &JobFacts::owner)
+        .def_readonly("priority", &JobFacts::priority)
         .def_readonly("state", &JobFacts::state)
         .def_readonly("failure", &JobFacts::failure)
         .def_readonly("paused", &JobFacts::paused)
         .def_readonly("done", &JobFacts::done)
         .def_readonly("total", &JobFacts::total)
         .def_readonly("rate", &JobFacts::rate)
-        .def_readonly("seconds", &JobFacts::seconds)
-        .def_readonly("is_running", &JobFacts::is_running);
+        .def_readonly("seconds", &JobFacts::seconds);
 }
 
 } // namespace
@@ -82,9 +84,9 @@ void define_cluster(py::module_& module) {
              })
         .def("submit_pair", &submit_pair)
         .def("submit_job",
-             [](const Cluster& cluster, const Job& job) {
+             [](const Cluster& cluster, const Job& job, std::int32_t priority) {
                  const SignalStop stop;
-                 return stop.run([&] { return cluster.submit(job, stop.check()); });
+                 return stop.run([&] { return cluster.submit(job, priority, stop.check()); });
              })
         .def("cancel",
              [](const Cluster& cluster, const std::string& id) {

@@ -37,6 +37,7 @@ class Verbs {
         add_folder_options(*run, run->folder);
         add_statistics(*run, run->statistics);
         add_master_options(*run, run->master, false);
+        add_priority(*run, run->master);
         add_threads(*run, run->host.threads, "Threads here; 0 is one for each core")
             ->capture_default_str();
         run.add("--simd",
@@ -102,13 +103,7 @@ class Verbs {
         add_master_options(*submit, submit->master);
         add_threads(*submit, submit->threads, "Threads that make poses here");
         add_tree_cache(*submit, submit->tree_cache);
-        submit
-            .add("--priority",
-                 submit->priority,
-                 "N",
-                 "-10 to 10, higher first; above 0 needs the role admin")
-            ->check(CLI::Range(-limits::priority_max, limits::priority_max))
-            ->capture_default_str();
+        add_priority(*submit, submit->master);
         add_quiet(*submit, submit->quiet);
         add_output(*submit, submit->output, {"text", "json", "name"});
 

@@ -14,11 +14,12 @@
 
 namespace cd {
 
-/// How to reach the master, for verbs that need one.
+/// How to reach the master, for verbs that need one, and how a job goes to it.
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
     std::string credential; ///< A file, or "none"; empty: the file that `cdctl join` wrote, if any.
+    std::optional<std::int32_t> priority = {}; ///< Of a job that the verb submits.
 };
 
 /// What gives exit code 1.
@@ -99,7 +100,6 @@ struct SubmitCommand {
     MasterOptions master;
     unsigned threads = 0;
     std::string tree_cache = "off"; ///< A folder, or off.
-    std::int32_t priority = 0;
     bool quiet = false;
     std::string output = "text"; ///< text, json, name
 };

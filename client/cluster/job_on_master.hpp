@@ -49,7 +49,7 @@ struct ConnectedJob {
 
 /// Uploads meshes that the master lacks, with a line on stderr unless quiet, and submits the job.
 [[nodiscard]] Result<JobId>
-send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t priority = 0);
+send_job(Connection& connection, PreparedJob& job, bool quiet, std::int32_t priority);
 
 /// Checks that the job is done. Errors: Incomplete with the reason.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);

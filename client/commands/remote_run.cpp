@@ -86,7 +86,8 @@ Result<int> run_there(RemoteRun& run,
                       const std::function<Fetch(const JobStatus&)>& fetch_from) {
     const RunCommand& command = run.command;
     std::unique_ptr<Connection>& connection = run.connection;
-    const JobId id = CD_TRY(send_job(*connection, job, command.quiet));
+    const JobId id =
+        CD_TRY(send_job(*connection, job, command.quiet, command.master.priority.value_or(0)));
     const std::string text = job_id_text(id);
     const auto watched =
         watch_job(command.master, connection, id, text, ProgressPrinter::style_for(command.quiet));
@@ -267,7 +268,8 @@ Result<int> perform(const SubmitCommand& command) {
     make_paths_absolute(job);
     print_header(job, command.quiet);
     InterruptGuard::begin_to_flag();
-    const JobId id = CD_TRY(send_job(*connection, job, command.quiet, command.priority));
+    const JobId id =
+        CD_TRY(send_job(*connection, job, command.quiet, command.master.priority.value_or(0)));
     std::fputs(submitted_text(command, job, id).c_str(), stdout);
     return exit_done;
 }

@@ -218,6 +218,9 @@ Result<int> run_job(const RunCommand& command) {
         return bad_input("--first-stage is for a run on this machine alone; --master here asks for "
                          "one");
     }
+    if (command.master.priority && here) {
+        return bad_input("--priority is for jobs on a master: give --master");
+    }
     CD_TRY(command.host.simd.empty() ? check_simd_environment()
                                      : force_simd_target(command.host.simd));
     auto asked = CD_TRY(asked_job(command.job));

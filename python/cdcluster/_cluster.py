@@ -31,12 +31,13 @@ def _progress(facts):
 class ClusterJob:
     """A job on a master. `Cluster.submit`, `job` and `jobs` make it.
 
-    id: "j-4f2a", as `cdctl` prints it. number, name, owner: what the master tells.
+    id: "j-4f2a", as `cdctl` prints it. number, name, owner, priority: what the master tells.
     """
 
     def __init__(self, cluster, facts):
         self._cluster = cluster
         self.id, self.number, self.name, self.owner = facts.id, facts.number, facts.name, facts.owner
+        self.priority = facts.priority
 
     def progress(self):
         """How far the job is now."""
@@ -52,7 +53,7 @@ class ClusterJob:
         while True:
             facts = watch.next(int(1000 * wait))
             yield _progress(facts)
-            if not facts.is_running:
+            if facts.state != "running":
                 return
             wait = min(float(period), max(0.05, 2 * wait))
 
@@ -96,22 +97,24 @@ class Cluster:
         self._cluster.jobs()  # A wrong address or credential is told now.
 
     def submit(self, a, b=None, poses=None, level="pairs", *, quat_order=None, clearance=None, up_to=None,
-               limit_pairs=0, maps=False, ignore=(), name="", folder="."):
+               limit_pairs=0, maps=False, ignore=(), name="", folder=".", priority=0):
         """Submits a question about two meshes, or a job: its file's path, a dict of tables, or a `Job`.
 
         `cluster.submit(a, b, poses, level="count", maps=True)` takes the arguments of `contacts`, and at level
         distance those of `distance`. `cluster.submit("job.toml")` takes what `cdctl submit` takes; relative
-        paths of a dict are those in `folder`.
+        paths of a dict are those in `folder`. Jobs of higher `priority`, -10 to 10, go first; one above 0
+        needs the role admin.
         """
         if b is None and poses is None:
             asked = (level, quat_order, clearance, up_to, limit_pairs, maps, tuple(ignore), name)
             if asked != ("pairs", None, None, None, 0, False, (), ""):
                 raise InputError("a job's name and query are in its tables")
-            return ClusterJob(self._cluster, self._cluster.submit_job(Job.of(a, folder)._job))
+            return ClusterJob(self._cluster, self._cluster.submit_job(Job.of(a, folder)._job, priority))
         question = Question(a, b, level, clearance=clearance, up_to=up_to, limit_pairs=limit_pairs, maps=maps,
                             ignore=ignore)
         rows, form = pose_rows(poses, quat_order)
-        facts = self._cluster.submit_pair(question.a, question.b, rows, form, question.query, name)
+        facts = self._cluster.submit_pair(question.a, question.b, rows, form, question.query, name,
+                                          priority)
         return ClusterJob(self._cluster, facts)
 
     def jobs(self):

@@ -20,14 +20,17 @@ class Priority : public MortalCluster {
         write_obj(folder_ / "a.obj", make_sphere(4));
         write_obj(folder_ / "b.obj", make_torus(1, 0.4, 60, 30));
     }
-    /// Submits a job of so many poses on a grid, by `cdctl`.
-    Ran submit_by_cdctl(std::uint64_t poses, std::vector<std::string> options) {
+    /// Writes a job of so many poses on a grid, and returns its path.
+    std::string job_file(std::uint64_t poses) {
         const std::string path = folder_ / "job.toml";
         write_text(path,
                    "[a]\nmesh = \"a.obj\"\nunit = \"m\"\n[b]\nmesh = \"b.obj\"\nunit = \"m\"\n"
                    "[poses]\ngrid = { x = [0, 1, " +
                        std::to_string(poses) + "] }\n");
-        options.insert(options.begin(), {cdctl(), "submit", path});
+        return path;
+    }
+    Ran submit_by_cdctl(std::uint64_t poses, std::vector<std::string> options) {
+        options.insert(options.begin(), {cdctl(), "submit", job_file(poses)});
         options.insert(options.end(), {"--master", master_.address(), "-o", "name"});
         return tests::run(options);
     }
@@ -90,6 +93,20 @@ TEST_F(Priority, CdctlSubmitsAndShowsIt) {
     EXPECT_GT(more["seconds"], 0);
     EXPECT_THAT(tests::run({cdctl(), "status", "--master", master_.address()}).output,
                 HasSubstr("\nmore workers: "));
+}
+
+TEST_F(Priority, ARunOnTheMasterHasIt) {
+    start_worker(2);
+    const Ran ran = tests::run({cdctl(),
+                                "run",
+                                job_file(500),
+                                "--master",
+                                master_.address(),
+                                "--priority",
+                                "-4",
+                                "--quiet"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+    EXPECT_EQ(list_jobs()[0]["priority"], -4);
 }
 
 TEST_F(Priority, AWrongOneIsNamed) {

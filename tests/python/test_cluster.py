@@ -210,6 +210,16 @@ def test_a_cancelled_job_gives_what_it_has(cluster, body, tmp_path):
     assert again.to_pandas()["scenario"].tolist() == part.index.tolist()
 
 
+def test_a_job_has_the_priority_that_is_given(cluster, body, tmp_path):
+    assert cluster.submit(body, body, poses(5), quat_order="wxyz").priority == 0
+    job = cluster.submit(body, body, poses(5), quat_order="wxyz", priority=-4)
+    assert job.priority == cluster.job(job.id).priority == -4
+    scene_files(tmp_path, body)
+    assert cluster.submit(PAIR, folder=tmp_path, priority=7).priority == 7
+    with pytest.raises(cd.InputError, match="the priority is 11 and may be -10 to 10"):
+        cluster.submit(body, body, poses(5), quat_order="wxyz", priority=11)
+
+
 def test_a_master_that_is_not_there_is_unreachable(master, body):
     with pytest.raises(cd.Unreachable, match="is cdmaster running there"):
         cd.Cluster("127.0.0.1:1")
@@ -264,6 +274,8 @@ def test_credentials_are_those_of_cdctl_join(secured, folder, body):
     assert of_admin.owner != job.owner
     with pytest.raises(cd.RefusedError, match="belongs to"):
         joined.job(of_admin.id).cancel()
+    with pytest.raises(cd.RefusedError, match="priority 1 needs the role admin"):
+        joined.submit(body, body, poses(5), quat_order="wxyz", priority=1)
     assert job.cancel().state == "cancelled"
 
 

@@ -181,6 +181,17 @@ TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
     EXPECT_TRUE(run.master.address.empty());
 }
 
+TEST(CommandLine, APriorityIsReadWhereAJobGoesToAMaster) {
+    const auto run = parse_command_line({"run", "j.toml", "--master", "n:1", "--priority", "-3"});
+    ASSERT_TRUE(run.command) << run.text;
+    EXPECT_EQ(std::get<RunCommand>(*run.command).master.priority, -3);
+    const auto submit = parse_command_line({"submit", "j.toml", "--priority", "10"});
+    ASSERT_TRUE(submit.command) << submit.text;
+    EXPECT_EQ(std::get<SubmitCommand>(*submit.command).master.priority, 10);
+    EXPECT_EQ(parse_command_line({"run", "j.toml", "--priority", "11"}).exit_code, exit_usage);
+    EXPECT_EQ(parse_command_line({"submit", "j.toml", "--priority", "-11"}).exit_code, exit_usage);
+}
+
 TEST(CommandLine, AFirstStageIsRead) {
     const CommandLine line =
         parse_command_line({"run", "job.toml", "--first-stage", "wide-integer"});

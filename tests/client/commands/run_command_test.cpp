@@ -373,6 +373,12 @@ TEST_F(Run, AFirstStageIsForThisMachineAlone) {
     EXPECT_THAT(stderr_, HasSubstr("--first-stage"));
 }
 
+TEST_F(Run, APriorityIsForAMaster) {
+    command_.master.priority = -1;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--priority is for jobs on a master: give --master"));
+}
+
 TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
     ignore("'wheel_*', 'post'");
     EXPECT_EQ(run(), exit_done) << stderr_;
