@@ -121,6 +121,17 @@ class Verbs {
         add_quiet(*results, results->quiet);
         add_output(*results, results->output, {"text", "json", "csv"});
 
+        auto priority = add<PriorityCommand>("priority", priority_help);
+        add_job(*priority, priority->job);
+        priority
+            .add("priority",
+                 priority->priority,
+                 "N",
+                 "-10 to 10, higher first; above 0 needs the role admin")
+            ->required()
+            ->check(is_priority());
+        add_master_options(*priority, priority->master);
+
         auto cancel = add<CancelCommand>("cancel", cancel_help);
         cancel.add("--scenario", cancel->scenario, "N", "Its number in the job, from 0");
         add_job(*cancel, cancel->job);

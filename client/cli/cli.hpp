@@ -200,6 +200,13 @@ struct StatusCommand {
     std::string output = "text"; ///< text, json
 };
 
+/// The verb `priority`.
+struct PriorityCommand {
+    std::string job;
+    std::int32_t priority = 0;
+    MasterOptions master;
+};
+
 struct CancelCommand {
     std::string job;
     std::optional<std::uint64_t> scenario; ///< Without one, the whole job is cancelled.
@@ -308,6 +315,7 @@ using Command = std::variant<RunCommand,
                              ReportCommand,
                              GetCommand,
                              StatusCommand,
+                             PriorityCommand,
                              CancelCommand,
                              RemoveCommand,
                              DrainCommand,

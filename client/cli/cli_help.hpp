@@ -157,6 +157,14 @@ contact; at level contacts contacts.vtp has the shared points. glb: a.glb and b.
 materials name the numbers of scenarios that their colour stands for. Both need a contact map:
 level pairs or contacts, or count with maps. docs/formats.md and docs/exports.md have all.)";
 
+inline constexpr const char* priority_help =
+    R"(Changes the priority of a job that waits or runs.
+Examples:
+  cdctl priority j-5692 -5              let all other jobs go first
+  cdctl priority j-5692 3 --credential admin.pem
+
+Nothing that runs is stopped: the job's next work goes out in its new turn.)";
+
 inline constexpr const char* cancel_help =
     R"(Ends a job early, or one of its scenarios, which fails then.
 Examples:

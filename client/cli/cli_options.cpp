@@ -157,13 +157,17 @@ void add_master_options(CLI::App& verb, MasterOptions& master, bool required_her
         ->envname("CDCTL_CREDENTIAL");
 }
 
+CLI::Validator is_priority() {
+    return CLI::Range(-limits::priority_max, limits::priority_max);
+}
+
 void add_priority(CLI::App& verb, MasterOptions& master) {
     const auto add = option_adder(verb);
     add("--priority",
         master.priority,
         "N",
         "On a master: -10 to 10 (0), higher first; above 0 needs the role admin")
-        ->check(CLI::Range(-limits::priority_max, limits::priority_max));
+        ->check(is_priority());
 }
 
 CLI::Option* add_threads(CLI::App& verb, unsigned& threads, const char* help) {

@@ -37,6 +37,8 @@ void add_run(CLI::App& verb, const char* name, std::string& run, const char* typ
 /// Adds `--master`, `--insecure` and `--credential`. `required_here` says that the verb needs a
 /// master; then the address has a default. Otherwise the word `this_machine` gives an empty one.
 void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here = true);
+/// Returns the check that a value is a priority.
+[[nodiscard]] CLI::Validator is_priority();
 /// Adds `--priority`, of a job on a master.
 void add_priority(CLI::App& verb, MasterOptions& master);
 /// Adds `--threads`.

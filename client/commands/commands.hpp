@@ -21,6 +21,7 @@ namespace cd {
 [[nodiscard]] Result<int> perform(const ReportCommand& command);
 [[nodiscard]] Result<int> perform(const GetCommand& command);
 [[nodiscard]] Result<int> perform(const StatusCommand& command);
+[[nodiscard]] Result<int> perform(const PriorityCommand& command);
 [[nodiscard]] Result<int> perform(const CancelCommand& command);
 [[nodiscard]] Result<int> perform(const RemoveCommand& command);
 [[nodiscard]] Result<int> perform(const DrainCommand& command);

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace cd {
@@ -139,6 +140,13 @@ Result<int> perform(const ExplainCommand& command) {
     const Explained explained = CD_TRY(connection->explain(job.job, command.scenario));
     return print(command.output == "json" ? explained_json(explained, id)
                                           : explained_text(explained, id));
+}
+
+Result<int> perform(const PriorityCommand& command) {
+    const InterruptGuard interrupts;
+    const auto [connection, job, id] = CD_TRY(open_job(command.master, command.job));
+    const JobStatus status = CD_TRY(connection->set_priority(job.job, command.priority));
+    return print(id + "  priority " + std::to_string(status.turn.priority) + "\n");
 }
 
 Result<int> perform(const CancelCommand& command) {

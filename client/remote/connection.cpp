@@ -551,6 +551,10 @@ Result<JobStatus> Connection::cancel_scenario(JobId job, std::uint64_t scenario)
     return state_->run(state_->ask<JobStatus>(Cancel{job, scenario}));
 }
 
+Result<JobStatus> Connection::set_priority(JobId job, std::int32_t priority) {
+    return state_->run(state_->ask<JobStatus>(SetPriority{job, priority}));
+}
+
 Result<Removed> Connection::remove_job(JobId job, bool cancel) {
     return state_->run(state_->ask<Removed>(Remove{job, cancel}));
 }

@@ -113,6 +113,9 @@ class Connection {
     [[nodiscard]] Result<Draining> drain(const DrainWorkers& wish);
     /// Makes one scenario fail; its job goes on. Errors: NotFound; Refused if it has a result.
     [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);
+    /// Changes the priority of a job. Errors: NotFound; Refused if the job has ended, or the user
+    /// may not.
+    [[nodiscard]] Result<JobStatus> set_priority(JobId job, std::int32_t priority);
     /// Asks how the master scores each worker for a scenario of a running job.
     [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
     /// Creates a token to join the cluster. Errors: Refused unless the user is an admin.

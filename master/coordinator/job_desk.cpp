@@ -21,6 +21,29 @@ void JobDesk::begin(const JobRecord& record,
     services_.start.begin(record, std::move(results), std::move(poses));
 }
 
+Result<std::uint64_t> JobDesk::set_priority(JobId id, std::int32_t priority) {
+    MasterJob* job = state_.jobs.find(id);
+    if (job == nullptr) {
+        return no_job();
+    }
+    if (!job->is_running()) {
+        return Error{ErrorCode::Refused, "the job has ended"};
+    }
+    if (!paused().empty()) {
+        return Error{ErrorCode::Io, "no priority can be changed now: " + paused()};
+    }
+    log_info("priority changed: job={} from={} to={}", id.value, job->submit.priority, priority);
+    job->submit.priority = priority;
+    ++job->changes;
+    const std::uint64_t position =
+        state_.writer.write(ChangeJob{{id, job->submit, job->times.began}});
+    if (job->work() != nullptr) {
+        state_.dispatch.act(state_.dispatch->job_ranked(id, priority));
+    }
+    services_.work.feed();
+    return position;
+}
+
 Result<JobStatus> JobDesk::cancel(JobId id) {
     MasterJob* job = state_.jobs.find(id);
     if (job == nullptr) {

@@ -34,6 +34,16 @@ class JobDesk {
     /// Coroutines that wait for the acceptance, the end or the removal of a job.
     [[nodiscard]] JobWaits& waits() { return state_.waits; }
 
+    // ---- Changing jobs --------------------------------------------------------------------------
+    /// Gives a running job another priority, and writes that to the journal. Returns the position
+    /// there. Once that is durable, wakes the coroutines that wait for the job. Errors: NotFound;
+    /// Refused if the job has ended; Io while the journal cannot write.
+    [[nodiscard]] Result<std::uint64_t> set_priority(JobId job, std::int32_t priority);
+    /// True if the journal has committed the entry at this position.
+    [[nodiscard]] bool is_durable(std::uint64_t position) const {
+        return state_.writer.is_durable(position);
+    }
+
     // ---- Ending jobs ----------------------------------------------------------------------------
     /// Ends a running job. Once that is durable, wakes the coroutines that wait for the job. Does
     /// nothing if the job has ended. Errors: NotFound.

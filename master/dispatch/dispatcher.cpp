@@ -132,6 +132,11 @@ Actions Dispatcher::job_opened(JobId job,
     return {};
 }
 
+Actions Dispatcher::job_ranked(JobId job, std::int32_t priority) {
+    parts().queue.set_priority(job, priority);
+    return settled({});
+}
+
 void Dispatcher::analysis_took(JobId job, std::uint64_t positions, double seconds) {
     constexpr std::uint64_t position_ns = 1000; // Unless measured.
     parts().queue.analysis_order().answered(

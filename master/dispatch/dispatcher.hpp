@@ -48,6 +48,8 @@ class Dispatcher : public DispatchView {
 
     Actions
     job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees, JobRank rank = {});
+    /// Gives an open job another priority. Work that was sent stays where it is.
+    Actions job_ranked(JobId job, std::int32_t priority);
     /// The master's pool has analysed so many positions of the job in `seconds` of a thread; 0 if
     /// that was not measured.
     void analysis_took(JobId job, std::uint64_t positions, double seconds);

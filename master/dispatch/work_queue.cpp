@@ -21,6 +21,11 @@ void WorkQueue::open(JobId job,
     order_.open(job, std::move(rank));
 }
 
+void WorkQueue::set_priority(JobId job, std::int32_t priority) {
+    order_.set_priority(job, priority);
+    analysis_order_.set_priority(job, priority);
+}
+
 void WorkQueue::close(JobId job) {
     unsent_ -= jobs_.at(job).waiting.size();
     unsent_ -= std::erase_if(suspects_, [&](const Suspect& suspect) { return suspect.job == job; });

@@ -30,6 +30,7 @@ class WorkQueue {
               DispatchTrees trees,
               std::unique_ptr<MatchingPolicy> policy,
               JobRank rank = {});
+    void set_priority(JobId job, std::int32_t priority);
     /// Drops an open job, its waiting scenarios and suspects. Buffers and tasks must have none of
     /// its scenarios.
     void close(JobId job);

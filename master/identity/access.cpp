@@ -100,8 +100,7 @@ Status Access::check_priority(std::int32_t priority) const {
     }
     return Error{ErrorCode::Refused,
                  "priority " + std::to_string(priority) + " needs the role admin, and '" + owner() +
-                     "' is a submitter: submit with --priority 0 or below, or with an admin's "
-                     "credential"};
+                     "' is a submitter: choose 0 or below, or use an admin's credential"};
 }
 
 bool Access::is_admin() const {

@@ -31,11 +31,11 @@ class Access {
     /// the user named by the client.
     [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
     void set_user(std::string user) { user_ = std::move(user); }
-    /// Checks that this connection may end or remove a job whose owner is `of_job`. The owner, an
-    /// admin, and everybody without TLS may. Errors: Refused naming the owner.
+    /// Checks that this connection may change, end or remove a job whose owner is `of_job`. The
+    /// owner, an admin, and everybody without TLS may. Errors: Refused naming the owner.
     [[nodiscard]] Status check_owner(const std::string& of_job) const;
 
-    /// Checks that this connection may submit a job of this priority. Above 0 an admin may, and
+    /// Checks that this connection may give a job this priority. Above 0 an admin may, and
     /// everybody without TLS. Errors: Refused.
     [[nodiscard]] Status check_priority(std::int32_t priority) const;
 

@@ -32,6 +32,10 @@ struct JournalResult {
 struct AcceptJob {
     JobRecord job; ///< The job's poses must be on disk already.
 };
+/// Replaces the record of an accepted job.
+struct ChangeJob {
+    JobRecord job;
+};
 struct AddResults {
     JobId job;
     std::shared_ptr<ResultStore> store; ///< The job's store.
@@ -56,7 +60,7 @@ struct EndJob {
 struct DropJob {
     JobId job;
 };
-using JournalEntry = std::variant<AcceptJob, AddResults, EndJob, DropJob>;
+using JournalEntry = std::variant<AcceptJob, ChangeJob, AddResults, EndJob, DropJob>;
 
 /// A job as recovered from the journal.
 struct RecoveredJob {

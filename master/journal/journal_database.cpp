@@ -546,6 +546,8 @@ bool SqliteDatabase::apply(const DatabaseChange& change) {
     case Kind::Accept:
         return run_with("INSERT INTO jobs(job, record) VALUES(?, ?)", RowKind::Record) &&
                set_number("last_job", std::max(last_job_, job));
+    case Kind::Record:
+        return run_with("UPDATE jobs SET record=?2 WHERE job=?1", RowKind::Record);
     case Kind::Results:
         return run_with("INSERT INTO results(job, content) VALUES(?, ?)", RowKind::Results);
     case Kind::Progress:

@@ -17,7 +17,7 @@ namespace cd {
 
 /// A change of the database: writes one row or, for Drop, deletes all rows of the job.
 struct DatabaseChange {
-    enum class Kind : std::uint8_t { Accept, Results, Progress, End, Drop, Alarms };
+    enum class Kind : std::uint8_t { Accept, Record, Results, Progress, End, Drop, Alarms };
     Kind kind = Kind::Accept;
     JobId job;     ///< Unused for Alarms.
     Bytes content; ///< Content of the row; empty for Drop.

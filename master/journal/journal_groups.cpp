@@ -88,6 +88,8 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
     for (const JournalEntry& entry : group) {
         if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
             changes.push_back({Kind::Accept, accept->job.id, encode_job(accept->job)});
+        } else if (const auto* change = std::get_if<ChangeJob>(&entry)) {
+            changes.push_back({Kind::Record, change->job.id, encode_job(change->job)});
         }
     }
     for (const auto& [job, added] : by_job) {

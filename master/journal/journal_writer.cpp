@@ -31,7 +31,7 @@ void JournalWriter::start(Events events) {
                     }});
 }
 
-void JournalWriter::write(JournalEntry entry) {
+std::uint64_t JournalWriter::write(JournalEntry entry) {
     const std::uint64_t position = written_ + 1;
     std::optional<Promise> promise;
     if (const auto* add = std::get_if<AddResults>(&entry)) {
@@ -44,6 +44,8 @@ void JournalWriter::write(JournalEntry entry) {
     } else if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
         ledger_.open_job(accept->job.id);
         promise = JobAccepted{accept->job.id};
+    } else if (const auto* change = std::get_if<ChangeJob>(&entry)) {
+        promise = JobChanged{change->job.id};
     } else if (const auto* end = std::get_if<EndJob>(&entry)) {
         promise = JobEnded{end->job};
     } else {
@@ -53,6 +55,7 @@ void JournalWriter::write(JournalEntry entry) {
     if (promise) {
         ledger_.promise(*promise, written_);
     }
+    return written_;
 }
 
 void JournalWriter::announce() {
@@ -61,7 +64,9 @@ void JournalWriter::announce() {
         if (const auto* delivery = std::get_if<Delivery>(&promise)) {
             kept[delivery->worker].sequences.push_back(delivery->sequence);
         } else if (const auto* accepted = std::get_if<JobAccepted>(&promise)) {
-            events_.job_accepted(accepted->job);
+            events_.job_recorded(accepted->job);
+        } else if (const auto* changed = std::get_if<JobChanged>(&promise)) {
+            events_.job_recorded(changed->job);
         } else if (const auto* ended = std::get_if<JobEnded>(&promise)) {
             ledger_.close_job(ended->job);
             events_.job_ended(ended->job);

@@ -21,7 +21,7 @@ class JournalWriter {
     struct Events {
         /// The worker may forget the result messages whose sequence numbers are in `kept`.
         std::function<void(WorkerId worker, const ResultsKept& kept)> results_kept;
-        std::function<void(JobId)> job_accepted;
+        std::function<void(JobId)> job_recorded; ///< Accepted, or its record has changed.
         std::function<void(JobId)> job_ended;
         std::function<void(JobId)> job_dropped;
         std::function<void(const Dispute&)> dispute_opened;
@@ -43,8 +43,13 @@ class JournalWriter {
     /// Starts the journal. Call once, before any `write`.
     void start(Events events);
 
-    /// Writes an entry. Announces an accepted, ended or dropped job when it is durable.
-    void write(JournalEntry entry);
+    /// Writes an entry. Announces an accepted, changed, ended or dropped job when it is durable.
+    /// Returns the entry's position.
+    std::uint64_t write(JournalEntry entry);
+    /// True if the entry at this position is durable.
+    [[nodiscard]] bool is_durable(std::uint64_t position) const {
+        return position <= ledger_.position();
+    }
     /// Announces the dispute, or acknowledges the result message, once all entries written so far
     /// are durable.
     void promise(const Promise& promise) { ledger_.promise(promise, written_); }

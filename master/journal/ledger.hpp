@@ -32,6 +32,12 @@ struct JobAccepted {
 
     friend bool operator==(const JobAccepted&, const JobAccepted&) = default;
 };
+/// Event: the journal has a change of the job's record.
+struct JobChanged {
+    JobId job;
+
+    friend bool operator==(const JobChanged&, const JobChanged&) = default;
+};
 /// Event: the journal has all results of the job, and then its end.
 struct JobEnded {
     JobId job;
@@ -55,7 +61,7 @@ struct Dispute {
 };
 
 /// An event that is announced once the journal has committed it.
-using Promise = std::variant<Delivery, JobAccepted, JobEnded, JobDropped, Dispute>;
+using Promise = std::variant<Delivery, JobAccepted, JobChanged, JobEnded, JobDropped, Dispute>;
 
 /// The journal commits its entries in the order of their positions, from 1. Every scenario of an
 /// open job is unknown (without a result), written (in an uncommitted entry), or durable.

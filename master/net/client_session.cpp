@@ -77,7 +77,8 @@ asio::awaitable<void> ClientSession::converse() {
 }
 
 asio::awaitable<Result<Message>> ClientSession::receive() {
-    if (!is_submitting()) {
+    const bool is_submitting = upload_ != nullptr || spool_ != nullptr;
+    if (!is_submitting) {
         co_return co_await channel_->receive(timing::client_idle_max);
     }
     // The time limit counts from the last part of the upload: other messages do not extend it.
@@ -408,6 +409,22 @@ asio::awaitable<void> ClientSession::on(Cancel message) {
     } else {
         answer(co_await requests.cancel(message.job));
     }
+}
+
+asio::awaitable<void> ClientSession::on(SetPriority message) {
+    Status allowed = check_owner(message.job);
+    if (allowed) {
+        allowed = access_.check_priority(message.priority);
+    }
+    if (allowed) {
+        allowed = check_priority(message.priority);
+    }
+    if (!allowed) {
+        refuse(allowed.error());
+        co_return;
+    }
+    JobRequests requests(coordinator_);
+    answer(co_await requests.set_priority(message.job, message.priority));
 }
 
 asio::awaitable<void> ClientSession::on(ResultsQuery message) {

@@ -46,7 +46,6 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     /// Receives the next message. Errors: as `Channel::receive`. If an upload stalls, also sends
     /// the client a Timeout failure.
     [[nodiscard]] asio::awaitable<Result<Message>> receive();
-    [[nodiscard]] bool is_submitting() const { return upload_ != nullptr || spool_ != nullptr; }
 
     // Handlers, one per message of a client. Any other message ends the connection.
     asio::awaitable<void> on(MeshesQuery message);
@@ -65,6 +64,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     asio::awaitable<void> on(RemoveMesh message);
     asio::awaitable<void> on(DrainWorkers message);
     asio::awaitable<void> on(Cancel message);
+    asio::awaitable<void> on(SetPriority message);
     asio::awaitable<void> on(Explain message);
     asio::awaitable<void> on(TokenCreate message);
     asio::awaitable<void> on(Heartbeat message);
@@ -91,7 +91,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     void refuse_poses(const Error& error);
     template <class Answer>
     void answer(const Result<Answer>& found);
-    /// Checks that the client may end or remove the job. Errors: NotFound; Refused.
+    /// Checks that the client may change, end or remove the job. Errors: NotFound; Refused.
     [[nodiscard]] Status check_owner(JobId job);
 
     Coordinator& coordinator_;

@@ -64,6 +64,22 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
     co_return id;
 }
 
+asio::awaitable<Result<JobStatus>> JobRequests::set_priority(JobId job, std::int32_t priority) {
+    const Result<std::uint64_t> change = coordinator_.jobs().set_priority(job, priority);
+    if (!change) {
+        co_return change.error();
+    }
+    const auto until = JobWaits::Time::clock::now() + timing::cancel_wait_max;
+    while (!coordinator_.jobs().is_durable(change.value())) {
+        // Another event of the job ends the wait as well.
+        const bool is_woken = co_await coordinator_.jobs().waits().wait(job, until);
+        if (!is_woken) {
+            co_return Error{ErrorCode::Io, "the new priority counts, but is not on the disk yet"};
+        }
+    }
+    co_return coordinator_.jobs().status(job);
+}
+
 asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
     const Result<JobStatus> status = coordinator_.jobs().cancel(job);
     if (!status || status.value().state != JobState::Running) {

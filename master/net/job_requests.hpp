@@ -1,4 +1,4 @@
-// Carries out clients' requests that wait for the disk: to open, cancel and explain jobs.
+// Carries out clients' requests that wait for the disk: to open, rank, cancel and explain jobs.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,8 +14,8 @@ namespace cd {
 
 class Coordinator;
 
-/// `open` and `cancel` return when the journal has committed the change. Runs on the coordinator's
-/// thread.
+/// `open`, `set_priority` and `cancel` return when the journal has committed the change. Runs on
+/// the coordinator's thread.
 class JobRequests {
   public:
     /// The coordinator must outlive this object and every pending request.
@@ -25,6 +25,9 @@ class JobRequests {
     /// Errors: Refused if too many jobs run; Io.
     [[nodiscard]] asio::awaitable<Result<JobId>> open(Submit submit,
                                                       std::shared_ptr<JobSpool> poses);
+    /// Gives a running job another priority. Errors: NotFound; Refused if the job has ended; Io if
+    /// the disk does not take it within `timing::cancel_wait_max`.
+    [[nodiscard]] asio::awaitable<Result<JobStatus>> set_priority(JobId job, std::int32_t priority);
     /// Cancels the job. Does nothing if it has ended. Waits at most `timing::cancel_wait_max` for
     /// the disk, which may be full; after that, returns a status that still says Running. Errors:
     /// NotFound.

@@ -201,6 +201,15 @@ Status check_depths(const Submit& submit) {
 
 } // namespace
 
+Status check_priority(std::int32_t priority) {
+    if (priority < -limits::priority_max || priority > limits::priority_max) {
+        return bad("the priority is " + std::to_string(priority) + " and may be " +
+                   std::to_string(-limits::priority_max) + " to " +
+                   std::to_string(limits::priority_max));
+    }
+    return Done{};
+}
+
 Status check_submission(const Submit& submit, std::span<const MeshStatus> stored) {
     if (const Status bodies = check_bodies(submit); !bodies) {
         return bodies;
@@ -214,10 +223,8 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (const Status scene = check_scene(submit); !scene) {
         return scene;
     }
-    if (submit.priority < -limits::priority_max || submit.priority > limits::priority_max) {
-        return bad("the priority is " + std::to_string(submit.priority) + " and may be " +
-                   std::to_string(-limits::priority_max) + " to " +
-                   std::to_string(limits::priority_max));
+    if (const Status priority = check_priority(submit.priority); !priority) {
+        return priority;
     }
     if (submit.grid.has_value() != (submit.poses.kind == PosesKind::Grid)) {
         return bad("a job has a grid if its poses are of kind grid, and only then");

@@ -5,6 +5,7 @@
 #include "common/core/result.hpp"
 #include "proto/messages/client_messages.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace cd {
 /// Checks all fields. `stored`: the meshes that the master has. Errors: BadInput, TooLarge and
 /// NotFound, naming the field and the allowed values.
 [[nodiscard]] Status check_submission(const Submit& submit, std::span<const MeshStatus> stored);
+
+/// Checks that the priority is in its range. Errors: BadInput.
+[[nodiscard]] Status check_priority(std::int32_t priority);
 
 [[nodiscard]] std::vector<Sha256> meshes_of(const Submit& submit);
 

@@ -98,6 +98,7 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"removed", of_master},
     {"drain workers", of_client},
     {"draining", of_master},
+    {"set priority", of_client},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 

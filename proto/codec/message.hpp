@@ -3,6 +3,7 @@
 
 #include "proto/messages/client_messages.hpp"
 #include "proto/messages/identity_messages.hpp"
+#include "proto/messages/job_changes.hpp"
 #include "proto/messages/session_messages.hpp"
 #include "proto/messages/work_messages.hpp"
 
@@ -73,6 +74,7 @@ using Message = std::variant<Hello,
                              RemoveMesh,
                              Removed,
                              DrainWorkers,
-                             Draining>;
+                             Draining,
+                             SetPriority>;
 
 } // namespace cd

@@ -476,6 +476,11 @@ void serialize(Archive& archive, Cancel& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SetPriority& m) {
+    archive(m.job, m.priority);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Explain& m) {
     archive(m.job, m.scenario);
 }

@@ -1,6 +1,6 @@
 // Proves, with real processes, that a job of higher priority overtakes one that runs, also after a
-// restart of the master; that `cdctl` shows priorities, shares and what more workers would bring;
-// and that a priority above 0 needs the role admin.
+// restart of the master, and also if it got the priority later; that `cdctl` shows priorities,
+// shares and what more workers would bring; and that a priority above 0 needs the role admin.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
@@ -34,6 +34,14 @@ class Priority : public MortalCluster {
         options.insert(options.end(), {"--master", master_.address(), "-o", "name"});
         return tests::run(options);
     }
+    Ran set_by_cdctl(const std::string& job,
+                     const std::string& priority,
+                     const std::vector<std::string>& options = {}) {
+        std::vector<std::string> words{
+            cdctl(), "priority", job, priority, "--master", master_.address()};
+        words.insert(words.end(), options.begin(), options.end());
+        return tests::run(words);
+    }
     [[nodiscard]] nlohmann::json list_jobs() {
         const Ran ran =
             tests::run({cdctl(), "get", "jobs", "-o", "json", "--master", master_.address()});
@@ -66,6 +74,34 @@ TEST_F(Priority, AJobOvertakesOneOfLowerPriority) {
     };
     ASSERT_NE(end_of(low), std::string::npos);
     EXPECT_LT(end_of(high), end_of(low)) << master_.log();
+}
+
+// The second job, which waits, would end last.
+TEST_F(Priority, AJobThatRunsGetsAnotherWhichARestartKeeps) {
+    const Job job = make_job(12000);
+    auto connection = connect();
+    const JobId early = submit_ranked(*connection, job, 1);
+    start_worker(2);
+    (void)watch_until(*connection, early, 1);
+    const JobId late = submit_ranked(*connection, job, 0);
+    const Ran lowered = set_by_cdctl(job_id_text(early), "-6");
+    EXPECT_EQ(lowered.exit_code, 0) << lowered.errors;
+    EXPECT_EQ(lowered.output, job_id_text(early) + "  priority -6\n");
+    EXPECT_EQ(set_by_cdctl(job_id_text(late), "2").exit_code, 0);
+    restart_master(connection);
+    for (const JobId id : {late, early}) {
+        const JobStatus ended = finish(*connection, id);
+        EXPECT_EQ(ended.turn.priority, id == early ? -6 : 2);
+        EXPECT_EQ(ended.digest, job.digest_in_one_process(Query{}));
+    }
+    const auto end_of = [&](JobId id) {
+        return master_.log().find("job ended: job=" + std::to_string(id.value) + " ");
+    };
+    ASSERT_NE(end_of(early), std::string::npos);
+    EXPECT_LT(end_of(late), end_of(early)) << master_.log();
+    const Ran refused = set_by_cdctl(job_id_text(late), "3");
+    EXPECT_EQ(refused.exit_code, 5);
+    EXPECT_THAT(refused.errors, HasSubstr("the job has ended"));
 }
 
 TEST_F(Priority, CdctlSubmitsAndShowsIt) {
@@ -143,9 +179,23 @@ TEST_F(SecuredPriority, AboveZeroNeedsTheRoleAdmin) {
     EXPECT_EQ(refused.exit_code, 5) << refused.errors;
     EXPECT_THAT(refused.errors,
                 HasSubstr("priority 1 needs the role admin, and 'ann' is a submitter"));
-    EXPECT_EQ(submit_by_cdctl(10, {"--priority", "-1", "--credential", ann}).exit_code, 0);
-    EXPECT_EQ(submit_by_cdctl(10, {"--priority", "1", "--credential", admin().string()}).exit_code,
-              0);
+    const std::vector<std::string> by_ann{"--credential", ann};
+    const std::vector<std::string> by_admin{"--credential", admin().string()};
+    const auto submitted = [&](std::string priority, std::vector<std::string> options) {
+        options.insert(options.end(), {"--priority", std::move(priority)});
+        const Ran ran = submit_by_cdctl(10, options);
+        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+        return ran.output.substr(0, ran.output.find('\n'));
+    };
+    const std::string of_ann = submitted("-1", by_ann);
+    const std::string of_admin = submitted("1", by_admin);
+
+    EXPECT_EQ(set_by_cdctl(of_ann, "-2", by_ann).exit_code, 0);
+    const Ran raised = set_by_cdctl(of_ann, "2", by_ann);
+    EXPECT_EQ(raised.exit_code, 5);
+    EXPECT_THAT(raised.errors, HasSubstr("priority 2 needs the role admin"));
+    EXPECT_EQ(set_by_cdctl(of_ann, "2", by_admin).output, of_ann + "  priority 2\n");
+    EXPECT_THAT(set_by_cdctl(of_admin, "-2", by_ann).errors, HasSubstr("the job belongs to"));
 }
 
 } // namespace

@@ -79,6 +79,9 @@ std::string Watcher::committed(std::span<const DatabaseChange> changes) {
             job.known = &known_job(decode_job(job.record).value().submit.name);
             last_job = std::max(last_job, change.job);
             break;
+        case Kind::Record:
+            job.record = change.content;
+            break;
         case Kind::Progress:
             job.progress = change.content;
             break;

@@ -291,6 +291,7 @@ inline std::vector<Message> sample_messages() {
         Removed{11},
         DrainWorkers{{WorkerId{1}, WorkerId{3}}, true},
         Draining{{WorkerId{1}, WorkerId{3}}},
+        SetPriority{JobId{8}, -3},
     };
 }
 

@@ -16,8 +16,8 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-double JobOrder::Job::used() const {
-    return settled + cost.value_or(1) * 1e-9 * static_cast<double>(in_flight_ns);
+double JobOrder::Job::in_flight() const {
+    return cost.value_or(1) * 1e-9 * static_cast<double>(in_flight_ns);
 }
 
 double JobOrder::Job::recent_until(double now) const {
@@ -26,16 +26,39 @@ double JobOrder::Job::recent_until(double now) const {
 
 void JobOrder::open(JobId job, JobRank rank) {
     Job added;
-    added.owner = &owner_of(rank);
     added.rank = std::move(rank);
-    double least = unlimited;
-    for (const auto& [id, other] : jobs_) {
-        least = other.owner == added.owner ? std::min(least, other.used()) : least;
-    }
-    added.settled = least == unlimited ? 0 : least;
-    ++added.owner->jobs;
+    join_owner(added);
     const bool is_new = jobs_.try_emplace(job, std::move(added)).second;
     CD_CHECK(is_new);
+}
+
+void JobOrder::set_priority(JobId job, std::int32_t priority) {
+    Job& moved = jobs_.at(job);
+    if (moved.rank.priority != priority) {
+        leave_owner(moved);
+        moved.rank.priority = priority;
+        join_owner(moved);
+    }
+}
+
+void JobOrder::join_owner(Job& job) {
+    Owner& owner = owner_of(job.rank);
+    double least = unlimited;
+    for (const auto& [id, other] : jobs_) {
+        least = other.owner == &owner ? std::min(least, other.used()) : least;
+    }
+    job.owner = &owner;
+    job.settled = least == unlimited ? 0 : least;
+    owner.used += job.in_flight();
+    ++owner.jobs;
+}
+
+void JobOrder::leave_owner(Job& job) {
+    job.owner->used -= job.in_flight();
+    if (--job.owner->jobs == 0) {
+        owners_.erase({job.rank.priority, job.rank.owner});
+    }
+    job.owner = nullptr;
 }
 
 JobOrder::Owner& JobOrder::owner_of(const JobRank& rank) {
@@ -50,10 +73,7 @@ JobOrder::Owner& JobOrder::owner_of(const JobRank& rank) {
 void JobOrder::close(JobId job) {
     const auto found = jobs_.find(job);
     CD_CHECK(found != jobs_.end());
-    charge(found->second, [](Job& closed) { closed.in_flight_ns = 0; });
-    if (--found->second.owner->jobs == 0) {
-        owners_.erase({found->second.rank.priority, found->second.rank.owner});
-    }
+    leave_owner(found->second);
     jobs_.erase(found);
 }
 

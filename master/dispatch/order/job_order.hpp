@@ -26,6 +26,9 @@ class JobOrder {
   public:
     /// The job must be new.
     void open(JobId job, JobRank rank);
+    /// Gives an open job another priority, among whose jobs it starts level like a new one. Its
+    /// work in flight counts there.
+    void set_priority(JobId job, std::int32_t priority);
     /// Forgets the job. Ignores work of a job that is not open from then on.
     void close(JobId job);
     /// True if the work of `one` goes out before that of `other`. Both must be open. This is a
@@ -64,13 +67,18 @@ class JobOrder {
         double recent = 0;    ///< Thread time of answers, decayed, as of `recent_at`, s.
         double recent_at = 0; ///< Time of the last answer, s.
 
+        /// Thread time that the work in flight will take, s.
+        [[nodiscard]] double in_flight() const;
         /// Thread time that the job has had, or will have had once nothing is in flight, s.
-        [[nodiscard]] double used() const;
+        [[nodiscard]] double used() const { return settled + in_flight(); }
         [[nodiscard]] double recent_until(double now) const;
     };
 
     /// The entry of an owner that may be new.
     [[nodiscard]] Owner& owner_of(const JobRank& rank);
+    /// Counts the job, which has no owner, to the one of its rank, level with its siblings.
+    void join_owner(Job& job);
+    void leave_owner(Job& job);
     [[nodiscard]] Job* find(JobId job);
     /// Changes the job by `change`, and its owner's thread time alike.
     template <class Change>

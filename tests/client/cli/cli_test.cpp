@@ -33,6 +33,7 @@ TEST(CommandLine, HelpStartsWithExamples) {
                              "inspect",
                              "join",
                              "token",
+                             "priority",
                              "cancel"}) {
         EXPECT_THAT(line.text, HasSubstr(std::string("\n  ") + verb + " "));
         const CommandLine help = parse_command_line({verb, "-h"});
@@ -151,8 +152,16 @@ TEST(CommandLine, VersionTellsCommitAndLibraries) {
 }
 
 TEST(CommandLine, NoExampleNamesAJobThatCannotBe) {
-    for (const char* verb :
-         {"watch", "wait", "results", "cancel", "explain", "rm", "verify", "extract", "diff"}) {
+    for (const char* verb : {"watch",
+                             "wait",
+                             "results",
+                             "cancel",
+                             "explain",
+                             "priority",
+                             "rm",
+                             "verify",
+                             "extract",
+                             "diff"}) {
         const std::string help = parse_command_line({verb, "--help"}).text;
         EXPECT_THAT(help, HasSubstr(" j-5692")) << verb;
         EXPECT_THAT(help, HasSubstr("last")) << verb;
@@ -190,6 +199,17 @@ TEST(CommandLine, APriorityIsReadWhereAJobGoesToAMaster) {
     EXPECT_EQ(std::get<SubmitCommand>(*submit.command).master.priority, 10);
     EXPECT_EQ(parse_command_line({"run", "j.toml", "--priority", "11"}).exit_code, exit_usage);
     EXPECT_EQ(parse_command_line({"submit", "j.toml", "--priority", "-11"}).exit_code, exit_usage);
+}
+
+TEST(CommandLine, APriorityOfAJobThatIsThereMayBeNegative) {
+    const auto line = parse_command_line({"priority", "j-5692", "-5", "--master", "n:1"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& change = std::get<PriorityCommand>(*line.command);
+    EXPECT_EQ(change.job, "j-5692");
+    EXPECT_EQ(change.priority, -5);
+    EXPECT_EQ(change.master.address, "n:1");
+    EXPECT_EQ(parse_command_line({"priority", "j-5692"}).exit_code, exit_usage);
+    EXPECT_EQ(parse_command_line({"priority", "j-5692", "11"}).exit_code, exit_usage);
 }
 
 TEST(CommandLine, AFirstStageIsRead) {

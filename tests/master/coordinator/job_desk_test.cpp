@@ -46,6 +46,33 @@ TEST_F(JobDeskTest, ACancelledJobEndsOnce) {
     EXPECT_THAT(ended, ElementsAre(job.id));
 }
 
+TEST_F(JobDeskTest, ANewPriorityIsThatOfTheJobItsWorkAndItsRecord) {
+    MasterJob& low = open();
+    MasterJob& job = begin(submission(AnalysisMode::Always));
+    EXPECT_TRUE(jobs_.set_priority(job.id, 2)) << "its geometry is not there yet";
+    run_until([&] { return job.work() != nullptr; });
+    const auto is_first = [&] { return state.dispatch.view().is_analysed_before(job.id, low.id); };
+    EXPECT_TRUE(is_first());
+    const std::uint64_t changes = job.changes;
+    const std::uint64_t position = jobs_.set_priority(job.id, -2).value();
+    EXPECT_FALSE(is_first());
+    EXPECT_FALSE(jobs_.is_durable(position));
+    EXPECT_EQ(jobs_.status(job.id).value().turn.priority, -2);
+    EXPECT_GT(job.changes, changes);
+    run_until([&] { return jobs_.is_durable(position); });
+    const JobRecord record = journal->job(job.id).value();
+    EXPECT_EQ(record.submit.priority, -2);
+    EXPECT_EQ(record.submit.scenarios, job.submit.scenarios);
+}
+
+TEST_F(JobDeskTest, ThePriorityOfAnEndedJobStays) {
+    MasterJob& job = open();
+    services.life.end(job, JobState::Cancelled, "");
+    EXPECT_EQ(jobs_.set_priority(job.id, 2).error().code, ErrorCode::Refused);
+    EXPECT_EQ(jobs_.set_priority(JobId{99}, 2).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(job.submit.priority, 0);
+}
+
 TEST_F(JobDeskTest, OnlyAnEndedJobIsForgotten) {
     MasterJob& job = open();
     const JobId id = job.id;
@@ -88,6 +115,7 @@ TEST_F(JobDeskTest, WhileTheJournalCannotWriteNoJobBeginsOrIsForgotten) {
 
     EXPECT_EQ(jobs_.allot(10).error().code, ErrorCode::Io);
     EXPECT_EQ(jobs_.forget(id).error().code, ErrorCode::Io);
+    EXPECT_EQ(jobs_.set_priority(running.id, 2).error().code, ErrorCode::Io);
     jobs_.forget_expired(expired);
     EXPECT_NE(jobs_.find(id), nullptr);
     EXPECT_EQ(jobs_.cluster().jobs.size(), 2u) << "questions are still answered";

@@ -19,7 +19,7 @@ class JournalWriterTest : public testing::Test {
                            EXPECT_EQ(worker, WorkerId{5});
                            kept_.insert(kept_.end(), kept.sequences.begin(), kept.sequences.end());
                        },
-                       [this](JobId) { events_ += "accepted "; },
+                       [this](JobId) { events_ += "recorded "; },
                        [this](JobId) { events_ += "ended "; },
                        [this](JobId) { events_ += "dropped "; },
                        [this](const Dispute&) { events_ += "disputed "; },
@@ -27,7 +27,7 @@ class JournalWriterTest : public testing::Test {
                        [] {}});
         writer_.write(AcceptJob{job_record(JobId{1}, 100)});
         store_ = ResultStore::create(journal_->results_path(JobId{1}), JobId{1}, 100);
-        run_until([this] { return events_ == "accepted "; });
+        run_until([this] { return events_ == "recorded "; });
         events_.clear();
     }
     // The journal stops before the context's end; the writer is gone by then.
@@ -86,6 +86,16 @@ TEST_F(JournalWriterTest, EndsDropsAndDisputesAreAnnouncedInTheirOrder) {
     writer_.write(DropJob{JobId{1}});
     EXPECT_EQ(events_, "");
     run_until([this] { return events_ == "disputed ended dropped "; });
+}
+
+TEST_F(JournalWriterTest, AChangedJobIsAnnouncedWhenItIsDurable) {
+    JobRecord job = job_record(JobId{1}, 100);
+    job.submit.priority = 4;
+    const std::uint64_t position = writer_.write(ChangeJob{job});
+    EXPECT_FALSE(writer_.is_durable(position));
+    run_until([this] { return events_ == "recorded "; });
+    EXPECT_TRUE(writer_.is_durable(position));
+    EXPECT_EQ(journal_->job(JobId{1}).value().submit.priority, 4);
 }
 
 TEST_F(JournalWriterTest, AForgottenWorkerIsToldNothing) {

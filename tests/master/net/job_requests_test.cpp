@@ -42,6 +42,12 @@ TEST_F(Requests, AnOpenedJobIsInTheJournal) {
     EXPECT_EQ(master_.coordinator.jobs().status(job).value().state, JobState::Running);
 }
 
+TEST_F(Requests, ANewPriorityIsInTheJournal) {
+    const JobId job = open();
+    EXPECT_EQ(run(requests_.set_priority(job, -7)).value().turn.priority, -7);
+    EXPECT_EQ(master_.journal->job(job).value().submit.priority, -7);
+}
+
 TEST_F(Requests, ACancelledJobHasEndedAndStaysSo) {
     const JobId job = open();
     EXPECT_EQ(run(requests_.cancel(job)).value().state, JobState::Cancelled);
@@ -62,6 +68,7 @@ TEST_F(Requests, ACancelledScenarioIsFailedAndEndsTheJobIfItIsTheLast) {
 
 TEST_F(Requests, AnUnknownJobIsNotFound) {
     EXPECT_EQ(run(requests_.cancel(JobId{9})).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(run(requests_.set_priority(JobId{9}, 1)).error().code, ErrorCode::NotFound);
     EXPECT_EQ(run(requests_.cancel_scenario(JobId{9}, 0)).error().code, ErrorCode::NotFound);
     EXPECT_EQ(run(requests_.explain(JobId{9}, 0)).error().code, ErrorCode::NotFound);
 }

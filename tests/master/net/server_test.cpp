@@ -135,6 +135,21 @@ TEST(Server, ACancelledJobEndsAndItsStatusSaysSo) {
     EXPECT_EQ(std::get<JobStatus>(answer).state, JobState::Cancelled);
 }
 
+TEST(Server, AJobGetsAnotherPriority) {
+    Master master;
+    Client client(master, reference().submission()); // Without workers, the job never ends.
+    master.run_until([&] { return !client.statuses.empty(); });
+    const Message answer = answer_to(master, {SetPriority{*client.job, 6}});
+    EXPECT_EQ(std::get<JobStatus>(answer).turn.priority, 6);
+    master.run_until([&] { return client.statuses.back().turn.priority == 6; });
+    EXPECT_THAT(refusal_of(master, {SetPriority{*client.job, 11}}),
+                testing::HasSubstr("the priority is 11 and may be -10 to 10"));
+    EXPECT_THAT(refusal_of(master, {SetPriority{JobId{99}, 1}}), testing::HasSubstr("no such job"));
+    (void)answer_to(master, {Cancel{*client.job}});
+    EXPECT_THAT(refusal_of(master, {SetPriority{*client.job, 1}}),
+                testing::HasSubstr("the job has ended"));
+}
+
 TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
     Master master;
     submit_to(master, reference().submission());

@@ -221,7 +221,8 @@ TEST(Party, EachSendsWhatTheProtocolSays) {
                         PosesQuery,
                         Remove,
                         RemoveMesh,
-                        DrainWorkers>()));
+                        DrainWorkers,
+                        SetPriority>()));
     EXPECT_EQ(types_from(Party::Observer), types_from(Party::Client));
     for (std::uint16_t type = 1; type <= std::variant_size_v<Message>; ++type) {
         EXPECT_TRUE(std::any_of(parties.begin(), parties.end(), [&](Party party) {

@@ -96,6 +96,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"removed", 8, "5fd1b79ebdef9619"},
     {"drain workers", 25, "4d17a7068176c24d"},
     {"draining", 24, "0db93153587a4d4c"},
+    {"set priority", 12, "6b0468e82586b6ac"},
 }};
 
 /// Why these bytes are not this message; nothing if they are.
@@ -122,7 +123,7 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
 
 TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
     EXPECT_EQ(message_type(Hello{}), 1);
-    EXPECT_EQ(message_type(Draining{}), std::variant_size_v<Message>);
+    EXPECT_EQ(message_type(SetPriority{}), std::variant_size_v<Message>);
     EXPECT_EQ(message_name(message_type(WorkUnit{})), "work unit");
     EXPECT_EQ(message_name(message_type(EndOfTask{})), "end of task");
     EXPECT_EQ(message_name(message_type(ResultsPart{})), "results part");

@@ -72,6 +72,43 @@ TEST_F(Ordering, TheHighestPriorityIsFirstWhateverItHasHad) {
     EXPECT_EQ(first(), a);
 }
 
+TEST_F(Ordering, ANewPriorityCountsAtOnceAndLevelWithItsNewNeighbours) {
+    open(a, "ann");
+    open(b, "bob", 5);
+    open(c, "bob", 5);
+    run(a, 100 * second);
+    serve(20, {{b, second}, {c, second}});
+    order_.set_priority(a, 5);
+    had_.clear();
+    serve(200, {{a, second}, {b, second}, {c, second}});
+    EXPECT_NEAR(had_[a], 100, 2) << "as much as bob, who owes for his 20 s as little";
+    EXPECT_NEAR(had_[b], 50, 2);
+    order_.set_priority(b, 6);
+    EXPECT_EQ(first(), b);
+    order_.set_priority(b, -1);
+    EXPECT_TRUE(order_.comes_before(c, b));
+    close(a);
+    close(c);
+    EXPECT_EQ(first(), b);
+}
+
+TEST_F(Ordering, WorkInFlightGoesAlongToTheNewPriority) {
+    open(a, "ann");
+    open(b, "bob");
+    order_.sent(a, 10 * second);
+    order_.set_priority(a, 5);
+    open(c, "bob", 5);
+    EXPECT_EQ(first(), a) << "c starts level, with what a has in flight";
+    order_.left(a, 10 * second); // Lost: a has had nothing.
+    EXPECT_EQ(order_.in_flight_ns(a), 0u);
+    had_.clear();
+    serve(200, {{a, second}, {c, second}});
+    EXPECT_NEAR(had_[a] - had_[c], 10, 2);
+    order_.set_priority(a, 0);
+    order_.set_priority(a, 0);
+    EXPECT_TRUE(order_.comes_before(a, b)) << "level again, and ann is before bob";
+}
+
 TEST_F(Ordering, OwnersOfUnlikeNumbersOfJobsAndUnlikeCostsGetTheSame) {
     order_.set_threads(100);
     open(a, "ann");
