@@ -88,7 +88,7 @@ class Dispatcher : public DispatchView {
     void time_is(double seconds);
     /// Records that `bytes` of blocks reached the worker in `seconds`.
     void transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds);
-    /// Records that these blocks have reached the worker.
+    /// Records that the worker holds these blocks: they have reached it, or it has kept them.
     void roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
   private:

@@ -9,24 +9,32 @@ namespace cd {
 
 namespace {
 
-/// Removes from `known` the ids that are not in `there`. Returns the ids of `there` that are not in
-/// `known`.
-template <class Id>
-std::vector<Id> keep_those(const std::set<Id>& there, std::set<Id>& known) {
+JobId id_of(JobId job) {
+    return job;
+}
+
+TreeId id_of(const std::pair<const TreeId, Sha256>& tree) {
+    return tree.first;
+}
+
+/// Removes from `known` the entries whose ids are not in `there`. Returns the ids of `there` that
+/// are not in `known`.
+template <class Id, class Known>
+std::vector<Id> keep_those(const std::set<Id>& there, Known& known) {
     std::vector<Id> strange;
     for (const Id one : there) {
         if (!known.contains(one)) {
             strange.push_back(one);
         }
     }
-    std::erase_if(known, [&](Id one) { return !there.contains(one); });
+    std::erase_if(known, [&](const auto& entry) { return !there.contains(id_of(entry)); });
     return strange;
 }
 
 } // namespace
 
 void WorkerSupply::add_tree(const AddTree& tree, Messages& out) {
-    if (trees_.insert(tree.tree).second) {
+    if (trees_.emplace(tree.tree, tree.cut).second) {
         out.emplace_back(tree);
     }
 }
@@ -47,7 +55,15 @@ WorkerSupply::Messages WorkerSupply::remove_job(JobId job) {
 }
 
 WorkerSupply::Messages WorkerSupply::remove_tree(TreeId tree) {
-    return trees_.erase(tree) == 0 ? Messages{} : Messages{RemoveTree{tree}};
+    const auto found = trees_.find(tree);
+    if (found == trees_.end()) {
+        return {};
+    }
+    if (cuts_.size() < limits::cuts_held_max) {
+        cuts_.insert(found->second);
+    }
+    trees_.erase(found);
+    return {RemoveTree{tree}};
 }
 
 Status WorkerSupply::cuts_kept(const Holding& holding) {
@@ -77,7 +93,8 @@ WorkerSupply::Messages WorkerSupply::compare(const Inventory& inventory) {
     for (const TreeId tree : keep_those(trees, trees_)) {
         out.emplace_back(RemoveTree{tree});
     }
-    for (const JobId job : keep_those({inventory.jobs.begin(), inventory.jobs.end()}, jobs_)) {
+    const std::set<JobId> jobs(inventory.jobs.begin(), inventory.jobs.end());
+    for (const JobId job : keep_those(jobs, jobs_)) {
         out.emplace_back(RemoveJob{job});
     }
     return out;

@@ -6,6 +6,7 @@
 #include "proto/codec/message.hpp"
 #include "proto/messages/work_messages.hpp"
 
+#include <map>
 #include <set>
 #include <span>
 #include <vector>
@@ -24,13 +25,15 @@ class WorkerSupply {
     /// lacks.
     [[nodiscard]] Messages add_job(const AddJob& job, std::span<const AddTree> trees);
     [[nodiscard]] Messages remove_job(JobId job);
+    /// Removes a tree that no job uses any more. The worker keeps the tree's blocks while it has
+    /// room.
     [[nodiscard]] Messages remove_tree(TreeId tree);
 
     /// Records cuts whose blocks the worker kept from an earlier session. Errors: TooLarge for more
     /// than `limits::cuts_held_max`.
     [[nodiscard]] Status cuts_kept(const Holding& holding);
-    /// Adds to the worker the trees of `in_use` that it lacks, if it kept their blocks from an
-    /// earlier session.
+    /// Adds to the worker the trees of `in_use` that it lacks, if it may have kept their blocks.
+    /// The worker then reports the blocks that it holds.
     [[nodiscard]] Messages add_kept(std::span<const AddTree> in_use);
 
     /// Resynchronises with the worker's inventory, after messages may have been lost. Removes the
@@ -41,9 +44,9 @@ class WorkerSupply {
   private:
     void add_tree(const AddTree& tree, Messages& out);
 
-    std::set<TreeId> trees_; ///< Sent to the worker (AddTree).
-    std::set<JobId> jobs_;   ///< Sent to the worker (AddJob).
-    std::set<Sha256> cuts_;  ///< Kept by the worker from an earlier session.
+    std::map<TreeId, Sha256> trees_; ///< Sent to the worker (AddTree), with their cuts.
+    std::set<JobId> jobs_;           ///< Sent to the worker (AddJob).
+    std::set<Sha256> cuts_;          ///< Cuts of which the worker may have kept blocks.
 };
 
 } // namespace cd

@@ -81,6 +81,20 @@ TEST_F(Cluster, AJobOfFiveBodiesHasTheDigestOfOneProcess) {
     }
 }
 
+TEST_F(Cluster, ASecondJobOnTheBodiesOfAFirstGetsNoGeometry) {
+    ManyBodies job = make_many_bodies(60);
+    start_worker(2);
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        (void)finish_job(*connection_, submit_bodies(*connection_, job, Query{}, mode));
+    }
+    job.scenarios.resize(job.scenarios.size() / 2);
+    for (const Query& query : {query_of(Level::Any), query_of(Level::Count)}) {
+        const JobStatus status = finish_job(*connection_, submit_bodies(*connection_, job, query));
+        expect_digest(status, job, query);
+        EXPECT_EQ(status.traffic.blocks.master_bytes, 0u);
+    }
+}
+
 TEST_F(Cluster, AJobOfFiveBodiesHasItsDigestThoughAWorkerIsKilled) {
     const ManyBodies job = make_many_bodies(200);
     const Query query = query_of(Level::Pairs);

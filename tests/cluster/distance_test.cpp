@@ -96,15 +96,17 @@ TEST_F(Cluster, ASweepFetchesFewerBlocksThanItsBoundsName) {
             named_b.insert(pair.b);
         }
     }
-    start_worker(1);
     for (const AnalysisMode mode : {AnalysisMode::Never, AnalysisMode::Always}) {
         SCOPED_TRACE(testing::Message() << to_text(mode));
+        Process& worker = start_worker(1); // A worker keeps the blocks of an earlier job.
         options.analysis = mode;
         const JobStatus status = run(job, query, options);
         expect_answers(status, job, query);
         const BlockTraffic& blocks = status.traffic.blocks;
         EXPECT_GT(blocks.misses + blocks.hinted, 0u);
         EXPECT_LT(2 * (blocks.misses + blocks.hinted), named_a.size() + named_b.size());
+        worker.signal(SIGTERM);
+        EXPECT_EQ(worker.wait(), 0);
     }
 }
 

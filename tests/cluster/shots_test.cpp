@@ -81,6 +81,17 @@ TEST_F(Cluster, LinesHaveTheHitsOfOneProcessWhoeverAnalyses) {
     }
 }
 
+TEST_F(Cluster, ASecondJobOfTheSameLinesGetsNoGeometry) {
+    const Job job = make_shots();
+    start_worker(2);
+    ClusterOptions options = many_blocks();
+    options.analysis = AnalysisMode::Never;
+    EXPECT_GT(run(job, shots_query(Level::Pairs), options).traffic.blocks.master_bytes, 0u);
+    const JobStatus again = run(job, shots_query(Level::Count), options);
+    expect_answers(again, job, shots_query(Level::Count));
+    EXPECT_EQ(again.traffic.blocks.master_bytes, 0u);
+}
+
 TEST_F(Cluster, AMapOfCrossingsIsThatOfOneProcess) {
     const Job job = make_shots();
     start_worker(1);

@@ -47,7 +47,7 @@ Status CachedTree::set_top(std::shared_ptr<const TreeTop> top,
     }
     partial_.set_top(std::move(top));
     snapshot_.reset();
-    top_block_ = std::move(block);
+    top_.block = std::move(block);
     return Done{};
 }
 
@@ -66,7 +66,7 @@ std::shared_ptr<const PartialObbTree> CachedTree::snapshot() {
 
 std::shared_ptr<const SubtreeBlock> CachedTree::block_at(RootIndex root) const {
     if (root == top_root) {
-        return top_block_;
+        return top_.block;
     }
     return root < slots_.size() ? slots_[root].block : nullptr;
 }
@@ -78,8 +78,16 @@ std::uint64_t CachedTree::bytes_of(RootIndex root) const {
 
 std::uint64_t CachedTree::bytes_of_top() const {
     return partial_.has_top() ? partial_.top().nodes.size() * sizeof(ObbNode) +
-                                    (top_block_ == nullptr ? 0 : top_block_->compressed.size())
+                                    (top_.block == nullptr ? 0 : top_.block->compressed.size())
                               : 0;
+}
+
+std::uint64_t CachedTree::bytes() const {
+    std::uint64_t bytes = bytes_of_top();
+    for (RootIndex root = 0; root < slots_.size(); ++root) {
+        bytes += partial_.at(root) == nullptr ? 0 : bytes_of(root);
+    }
+    return bytes;
 }
 
 std::uint64_t CachedTree::bytes_expected(RootIndex root) const {

@@ -23,13 +23,12 @@ struct SubtreeKey {
 /// The cached blocks of one tree. Checks that blocks belong to the tree. Not thread-safe.
 class CachedTree {
   public:
-    /// State of one subtree in a `SubtreeCache`, cached or not.
+    /// State of one subtree, or of the upper tree, in a `SubtreeCache`, cached or not.
     struct Slot {
         std::shared_ptr<const SubtreeBlock> block; ///< The encoded form; null: not kept.
         bool is_pinned = false;                    ///< True: must not be evicted.
-        bool is_idle = false;                      ///< True: cached and not pinned.
-        std::list<SubtreeKey>::iterator
-            place; ///< Position in the cache's list of idle subtrees, if `is_idle`.
+        bool is_idle = false;                      ///< True: in a list of blocks to evict.
+        std::list<SubtreeKey>::iterator place;     ///< Position in that list, if `is_idle`.
     };
 
     explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}
@@ -51,13 +50,16 @@ class CachedTree {
     [[nodiscard]] const PartialObbTree& partial() const { return partial_; }
     /// Returns an immutable copy of `partial()`, shared until a block is added or evicted.
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot();
-    [[nodiscard]] std::vector<Slot>& slots() { return slots_; }
+    [[nodiscard]] std::vector<Slot>& slots() { return slots_; } ///< Those of the subtrees.
+    [[nodiscard]] Slot& top_slot() { return top_; }
     /// The encoded block of a subtree or of the upper tree; null if it is not cached or not kept.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(RootIndex root) const;
     /// Memory of a filled slot's subtree and encoded block, in bytes.
     [[nodiscard]] std::uint64_t bytes_of(RootIndex root) const;
     /// Memory of the upper tree and its encoded block, in bytes; 0 if not cached.
     [[nodiscard]] std::uint64_t bytes_of_top() const;
+    /// Memory of all cached blocks of the tree, in bytes.
+    [[nodiscard]] std::uint64_t bytes() const;
     /// Estimated memory of a subtree or of the upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(RootIndex root) const;
 
@@ -66,7 +68,7 @@ class CachedTree {
     PartialObbTree partial_;
     std::shared_ptr<const PartialObbTree> snapshot_; ///< Last copy; null after `partial_` changes.
     std::vector<Slot> slots_;
-    std::shared_ptr<const SubtreeBlock> top_block_;
+    Slot top_;
 };
 
 } // namespace cd

@@ -3,9 +3,11 @@
 #include "common/core/check.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/tree/wire/top_block.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cd {
@@ -36,38 +38,99 @@ namespace {
 /// The first id of a parked tree; the ids that a master gives are lower.
 constexpr std::uint64_t parked_first = std::uint64_t{1} << 63;
 
-} // namespace
-
-bool SubtreeCache::is_parked(TreeId tree) {
+bool is_parked(TreeId tree) {
     return tree.value >= parked_first;
 }
 
-void SubtreeCache::rename(TreeId from, TreeId to) {
-    auto node = trees_.extract(from);
-    node.key() = to;
-    for (Slot& slot : node.mapped().slots()) {
-        if (slot.is_idle) {
-            slot.place->tree = to;
-        }
-    }
-    const bool is_new = trees_.insert(std::move(node)).inserted;
-    CD_CHECK(is_new);
+using TreesById = std::map<TreeId, CachedTree>;
+
+TreesById::iterator first_parked_of(TreesById& trees) {
+    return trees.lower_bound(TreeId{parked_first});
 }
 
-void SubtreeCache::park() {
-    for (auto& [id, tree] : trees_) {
-        for (RootIndex root = 0; root < tree.slots().size(); ++root) {
-            tree.slots()[root].is_pinned = false;
-            if (tree.partial().at(root) != nullptr && !tree.slots()[root].is_idle) {
-                set_idle(tree.slots()[root], {id, root});
-            }
+CachedTree& rename(TreesById& trees, TreesById::iterator tree, TreeId to) {
+    auto node = trees.extract(tree);
+    node.key() = to;
+    const auto inserted = trees.insert(std::move(node));
+    CD_CHECK(inserted.inserted);
+    return inserted.position->second;
+}
+
+/// Calls `change(slot, root)` for each cached subtree of the tree.
+template <class Change>
+void for_each_cached(CachedTree& tree, const Change& change) {
+    for (RootIndex root = 0; root < tree.slots().size(); ++root) {
+        if (tree.partial().at(root) != nullptr) {
+            change(tree.slots()[root], root);
         }
     }
-    for (const TreeId id : trees()) {
-        rename(id, TreeId{parked_first + parked_last_++});
+}
+
+} // namespace
+
+// ---- Trees --------------------------------------------------------------------------------------
+
+void SubtreeCache::park(TreeId id) {
+    const auto found = trees_.find(id);
+    if (found == trees_.end()) {
+        return;
     }
-    evict_beyond_limit();
-    evicted_.clear();
+    std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == id; });
+    const TreeId parked_id{parked_first + parked_.last++};
+    CachedTree& tree = rename(trees_, found, parked_id);
+    for (Slot& slot : tree.slots()) {
+        slot.is_pinned = false;
+    }
+    for_each_cached(tree, [&](Slot& slot, RootIndex root) {
+        if (slot.is_idle) {
+            idle_.erase(slot.place);
+        }
+        slot.is_idle = true;
+        slot.place = parked_.blocks.insert(parked_.blocks.end(), {parked_id, root});
+    });
+    Slot& top = tree.top_slot();
+    top.is_idle = true;
+    top.place = parked_.blocks.insert(parked_.blocks.end(), {parked_id, top_root});
+    const std::uint64_t bytes = tree.bytes();
+    parked_.bytes += bytes;
+    ++parked_.trees;
+    if (bytes == 0) {
+        drop(std::prev(trees_.end()));
+    } else if (parked_.trees > limits::parked_trees_max) {
+        drop(first_parked_of(trees_));
+    }
+    evict_beyond(bytes_max_);
+}
+
+void SubtreeCache::park_all() {
+    for (const TreeId id : trees()) {
+        park(id);
+    }
+}
+
+void SubtreeCache::unpark(Trees::iterator parked, TreeId id) {
+    CachedTree& tree = rename(trees_, parked, id);
+    parked_.bytes -= tree.bytes();
+    --parked_.trees;
+    for_each_cached(tree, [&](Slot& slot, RootIndex /*root*/) {
+        slot.place->tree = id;
+        idle_.splice(idle_.end(), parked_.blocks, slot.place);
+    });
+    Slot& top = tree.top_slot();
+    top.is_idle = false;
+    parked_.blocks.erase(top.place);
+}
+
+void SubtreeCache::drop(Trees::iterator parked) {
+    CachedTree& tree = parked->second;
+    const std::uint64_t bytes = tree.bytes();
+    for_each_cached(
+        tree, [&](const Slot& slot, RootIndex /*root*/) { parked_.blocks.erase(slot.place); });
+    parked_.blocks.erase(tree.top_slot().place);
+    parked_.bytes -= bytes;
+    --parked_.trees;
+    bytes_ -= bytes;
+    trees_.erase(parked);
 }
 
 std::vector<Sha256> SubtreeCache::parked() const {
@@ -83,8 +146,8 @@ std::vector<Sha256> SubtreeCache::parked() const {
 }
 
 void SubtreeCache::drop_parked() {
-    while (!trees_.empty() && is_parked(trees_.rbegin()->first)) {
-        remove_tree(trees_.rbegin()->first);
+    while (first_parked_of(trees_) != trees_.end()) {
+        drop(first_parked_of(trees_));
     }
 }
 
@@ -122,36 +185,17 @@ Status SubtreeCache::add_tree(const AddTree& add) {
     if (trees_.contains(add.tree)) {
         return Error{ErrorCode::BadFrame, name + " was added already"};
     }
-    for (auto& [id, parked] : trees_) {
-        const AddTree& named = parked.named();
+    for (auto parked = first_parked_of(trees_); parked != trees_.end(); ++parked) {
+        const AddTree& named = parked->second.named();
         // Equal `cut` hashes mean equal blocks. The other fields are compared as a check.
-        if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
-            named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
-            rename(id, add.tree);
+        if (named.cut == add.cut && named.form == add.form && named.top == add.top &&
+            named.roots == add.roots && named.triangles == add.triangles) {
+            unpark(parked, add.tree);
             return Done{};
         }
     }
     trees_.try_emplace(add.tree, add);
     return Done{};
-}
-
-void SubtreeCache::remove_tree(TreeId tree) {
-    const auto found = trees_.find(tree);
-    if (found == trees_.end()) {
-        return;
-    }
-    CachedTree& removed = found->second;
-    for (RootIndex root = 0; root < removed.slots().size(); ++root) {
-        if (removed.partial().at(root) != nullptr) {
-            bytes_ -= removed.bytes_of(root);
-        }
-        if (removed.slots()[root].is_idle) {
-            idle_.erase(removed.slots()[root].place);
-        }
-    }
-    bytes_ -= removed.bytes_of_top();
-    trees_.erase(found);
-    std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == tree; });
 }
 
 const PartialObbTree* SubtreeCache::find(TreeId tree) const {
@@ -200,7 +244,7 @@ Status SubtreeCache::insert(const SubtreeKey& key,
             set_idle(slot, key);
         }
     }
-    evict_beyond_limit();
+    evict_beyond(bytes_max_);
     return Done{};
 }
 
@@ -242,7 +286,7 @@ void SubtreeCache::unpin(const SubtreeKey& key) {
     slot.is_pinned = false;
     if (tree->partial().at(key.root) != nullptr) {
         set_idle(slot, key);
-        evict_beyond_limit();
+        evict_beyond(bytes_max_);
     }
 }
 
@@ -259,17 +303,27 @@ std::size_t SubtreeCache::let_go(std::uint64_t bytes) {
 }
 
 void SubtreeCache::evict_beyond(std::uint64_t bytes_max) {
-    while (bytes_ > bytes_max && !idle_.empty()) {
-        const SubtreeKey key = idle_.front();
-        idle_.pop_front();
-        CachedTree& tree = trees_.at(key.tree);
-        tree.slots()[key.root].is_idle = false;
-        bytes_ -= tree.bytes_of(key.root);
-        tree.empty(key.root);
-        if (!is_parked(key.tree)) {
-            evicted_.push_back(key); // The master does not know of parked trees.
-        }
+    while (bytes_ > bytes_max && !(parked_.blocks.empty() && idle_.empty())) {
         ++evictions_;
+        const bool any_parked = !parked_.blocks.empty();
+        const SubtreeKey key = any_parked ? parked_.blocks.front() : idle_.front();
+        const auto found = trees_.find(key.tree);
+        if (key.root == top_root) {
+            drop(found);
+            continue;
+        }
+        CachedTree& tree = found->second;
+        const std::uint64_t bytes = tree.bytes_of(key.root);
+        bytes_ -= bytes;
+        tree.empty(key.root);
+        tree.slots()[key.root].is_idle = false;
+        if (any_parked) { // The master does not know of parked trees.
+            parked_.blocks.pop_front();
+            parked_.bytes -= bytes;
+        } else {
+            idle_.pop_front();
+            evicted_.push_back(key);
+        }
     }
 }
 

@@ -19,9 +19,13 @@ using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr
 /// Errors: BadFrame, TooLarge.
 [[nodiscard]] Result<OpenedBlock> open_block(const SubtreeBlock& block);
 
-/// Contains the trees that the master has named. Evicts the least recently used subtrees above the
-/// limit. Never evicts pinned subtrees, which may exceed the limit, nor upper trees. Not
-/// thread-safe.
+/// Contains the trees that the master has named, and parked trees: those that it named before,
+/// under ids that are no longer valid. A parked tree keeps its blocks until `add_tree` names its
+/// cut again.
+///
+/// Above the limit, evicts blocks of parked trees first, in the order in which the trees were
+/// parked, each upper tree last; then the least recently used subtrees. Never evicts pinned
+/// subtrees, which may exceed the limit, nor upper trees that are not parked. Not thread-safe.
 class SubtreeCache {
   public:
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
@@ -29,9 +33,11 @@ class SubtreeCache {
     /// Adds a tree and reuses the parked blocks with the same `cut`. Errors: BadFrame for a tree
     /// that exists already, has no roots, or has more roots than triangles.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// Ends a session: invalidates the ids of all trees and unpins all subtrees. Each tree keeps
-    /// its blocks until `add_tree` names its `cut` again; subtrees may be evicted meanwhile.
-    void park();
+    /// Parks the tree, with its subtrees unpinned. Drops a tree without blocks, and above
+    /// `limits::parked_trees_max` the tree that was parked first. Ignores unknown trees.
+    void park(TreeId tree);
+    /// Parks all trees, at the end of a session.
+    void park_all();
     /// The cuts of parked trees with cached blocks, ascending.
     [[nodiscard]] std::vector<Sha256> parked() const;
     void drop_parked();
@@ -39,8 +45,6 @@ class SubtreeCache {
     [[nodiscard]] std::vector<TreeId> trees() const;
     /// The roots of the tree's cached blocks, ascending; `top_root` means the upper tree.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
-    /// Frees the tree with its blocks. Unknown trees are ignored.
-    void remove_tree(TreeId tree);
     /// The tree with its cached blocks; null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
     /// The form of the tree's subtrees. The tree must be known.
@@ -68,36 +72,47 @@ class SubtreeCache {
     void pin(const SubtreeKey& key);
     void unpin(const SubtreeKey& key);
 
-    /// Evicts idle subtrees until the cache takes at most `bytes`. Returns the number evicted.
+    /// Evicts blocks until the cache takes at most `bytes`. Returns the number evicted.
     std::size_t let_go(std::uint64_t bytes);
-    /// The subtrees evicted since the last call, in order, except those of removed trees.
+    /// The subtrees evicted since the last call, in order, except those of parked trees.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
     /// Estimated memory of a subtree or upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
     /// Memory of all cached blocks, in bytes.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    /// Memory of the blocks of trees that are not parked, in bytes.
+    [[nodiscard]] std::uint64_t bytes_in_use() const { return bytes_ - parked_.bytes; }
     /// Number of evictions in all sessions of the process.
     [[nodiscard]] std::uint64_t evictions() const { return evictions_; }
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
   private:
     using Slot = CachedTree::Slot;
+    using Trees = std::map<TreeId, CachedTree>;
 
-    [[nodiscard]] static bool is_parked(TreeId tree);
-    void rename(TreeId from, TreeId to);
+    struct ParkedTrees {
+        /// Of each tree the cached subtrees, then `top_root`; first those of the tree parked first.
+        std::list<SubtreeKey> blocks;
+        std::size_t trees = 0;
+        std::uint64_t bytes = 0;
+        std::uint64_t last = 0; ///< Counter for the ids of parked trees.
+    };
+
+    void unpark(Trees::iterator parked, TreeId id);
+    void drop(Trees::iterator parked);
     CachedTree* find_tree(const SubtreeKey& key); ///< Null for an unknown tree or root.
     void set_idle(Slot& slot, const SubtreeKey& key);
-    void evict_beyond_limit() { evict_beyond(bytes_max_); }
     void evict_beyond(std::uint64_t bytes_max);
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
-    std::map<TreeId, CachedTree> trees_;
-    std::list<SubtreeKey> idle_;      ///< Cached, not pinned; least recently used first.
+    Trees trees_; ///< The parked ones last, in the order in which they were parked.
+    /// Cached subtrees of trees that are not parked, not pinned; least recently used first.
+    std::list<SubtreeKey> idle_;
+    ParkedTrees parked_;
     std::vector<SubtreeKey> evicted_; ///< Subtrees evicted since the last `take_evicted`.
     std::uint64_t evictions_ = 0;
-    std::uint64_t parked_last_ = 0; ///< Counter for the ids of parked trees.
 };
 
 } // namespace cd

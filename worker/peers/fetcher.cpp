@@ -141,7 +141,8 @@ void Fetcher::ask_for_hinted(Step& step) {
     for (; !hinted_.empty() && requested_bytes_ < limits::hinted_bytes_max; hinted_.pop_front()) {
         const Hinted& hinted = hinted_.front();
         const SubtreeKey& key = hinted.key;
-        const std::uint64_t bytes = cache_.bytes() + requested_bytes_ + cache_.bytes_expected(key);
+        const std::uint64_t bytes =
+            cache_.bytes_in_use() + requested_bytes_ + cache_.bytes_expected(key);
         if (cache_.at(key) == nullptr && bytes <= cache_.bytes_max() && ask_once(key)) {
             step.hinted.push_back(hinted);
             step.want.push_back(key);

@@ -47,8 +47,8 @@ class Fetcher {
     void add(Token token, JobId job, std::vector<SubtreeKey> roots);
     /// Announces a subtree that future scenarios will need. The subtree is requested when no
     /// scenario waits for a subtree and requests are below `limits::hinted_bytes_max`. The hint is
-    /// dropped if the cache would have to evict for the subtree, or once `limits::hints_max` newer
-    /// hints wait. The root must exist in the cache's trees.
+    /// dropped if the cache would have to evict for the subtree from a tree that is not parked, or
+    /// once `limits::hints_max` newer hints wait. The root must exist in the cache's trees.
     void hint(const Hinted& hinted);
     /// Requests the upper tree, which ranges need and the cache never evicts. Returns false if the
     /// upper tree is cached or requested already.
@@ -64,7 +64,7 @@ class Fetcher {
     /// Returns the requests and ready scenarios since the last call.
     [[nodiscard]] Step advance();
 
-    /// Drops all requests for the tree. Call it before the cache removes the tree.
+    /// Drops all requests for the tree. Call it before the cache parks the tree.
     void forget_requests(TreeId tree);
 
     [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Unfinished scenarios.

@@ -35,7 +35,7 @@ void BlockInbox::leave() {
     if (peers_.server != nullptr) {
         peers_.server->stop_serving();
     }
-    cache_.park();
+    cache_.park_all();
     keep_->cache = std::exchange(cache_, SubtreeCache(0));
 }
 
@@ -63,11 +63,11 @@ Status BlockInbox::add_tree(const AddTree& add) {
     return added;
 }
 
-void BlockInbox::remove_tree(TreeId tree) {
+void BlockInbox::park_tree(TreeId tree) {
     fetcher_.forget_requests(tree);
     traffic_.tree_removed(tree);
-    cache_.remove_tree(tree);
-    log_info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
+    cache_.park(tree);
+    log_info("tree parked: tree={} cached_bytes={}", tree.value, cache_.bytes());
     hub_.settle_soon();
 }
 

@@ -43,8 +43,8 @@ class BlockInbox {
     // ---- Messages from the master -------------------------------------------------------------
     /// Adds a tree to the cache. Errors: those of `SubtreeCache::add_tree`.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// Removes the tree and its blocks. Requires that no scenario needs the tree.
-    void remove_tree(TreeId tree);
+    /// Parks the tree in the cache. Requires that no scenario needs the tree.
+    void park_tree(TreeId tree);
     void add_job(const WorkerJob& job) {
         traffic_.job_added(job.id, {job.trees.begin(), job.trees.end()});
     }

@@ -1,7 +1,6 @@
 #include "worker/session/session.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/timing/worker.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <utility>
@@ -14,7 +13,7 @@ struct Session::Router {
     Status operator()(AddTree& add) { return session.blocks_.add_tree(add); }
     Status operator()(RemoveTree& remove) {
         session.tasks_.remove_jobs_of(remove.tree);
-        session.blocks_.remove_tree(remove.tree);
+        session.blocks_.park_tree(remove.tree);
         return Done{};
     }
     Status operator()(Subtrees& subtrees) {
@@ -145,9 +144,6 @@ void Session::send_heartbeat() {
                          tasks_.book().unanswered(),
                          blocks_.traffic(),
                          tasks_.longest()});
-    if (std::chrono::steady_clock::now() - began_ > timing::parked_trees_kept) {
-        blocks_.cache().drop_parked();
-    }
 }
 
 } // namespace cd

@@ -7,7 +7,6 @@
 #include "worker/session/session_link.hpp"
 #include "worker/session/task_runner.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -61,7 +60,6 @@ class Session : public SessionHub {
     TaskRunner tasks_;
     bool draining_ = false;        ///< True: the master sends no more tasks.
     std::uint64_t heartbeats_ = 0; ///< Number of heartbeats sent.
-    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 } // namespace cd

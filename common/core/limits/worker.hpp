@@ -24,6 +24,9 @@ inline constexpr std::uint64_t results_unkept_bytes_max = 64u << 20;
 inline constexpr std::size_t results_unkept_messages_max = 1u << 14;
 
 // Blocks.
+/// Number of trees without a job whose blocks stay cached. A Holding names all of them, so their
+/// number is at most `cuts_held_max`.
+inline constexpr std::size_t parked_trees_max = 1u << 13;
 /// Number of hints whose blocks are not fetched yet; with more, the worker drops the oldest.
 inline constexpr std::size_t hints_max = 1u << 16;
 /// Unpacked size of the blocks that are being requested ahead of need.

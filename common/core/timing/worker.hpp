@@ -15,10 +15,6 @@ inline constexpr std::chrono::milliseconds results_flush_period{50};
 /// At the end of a drain, the worker waits this long for acknowledgements of its last results.
 inline constexpr std::chrono::seconds results_kept_wait_max{5};
 
-// Blocks.
-/// Trees of an ended session stay cached this long into the next session, which may reuse them.
-inline constexpr std::chrono::minutes parked_trees_kept{10};
-
 // Peers.
 /// A peer that serves blocks must send each message within this time.
 inline constexpr std::chrono::seconds peer_stall_max{5};

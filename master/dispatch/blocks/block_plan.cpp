@@ -120,10 +120,15 @@ void BlockPlan::arrived(std::uint32_t slot, TreeId id, std::span<const RootIndex
     if (found == trees_.end()) {
         return;
     }
+    PlannedTree& tree = found->second;
     for (const RootIndex root : roots) {
-        if (root < found->second.triangles.size()) {
-            found->second.coming.clear(slot, root);
+        if (root >= tree.triangles.size()) {
+            continue;
         }
+        if (tree.held.set(slot, root)) {
+            held_triangles_[slot] += tree.triangles[root];
+        }
+        tree.coming.clear(slot, root);
     }
 }
 

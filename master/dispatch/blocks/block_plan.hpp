@@ -66,7 +66,7 @@ class BlockPlan {
     /// marks these as coming.
     Missing hold(std::uint32_t slot, TreeId tree, std::span<const WeightedRoot> roots);
     Missing hold(std::uint32_t slot, TreeId tree, std::span<const RootIndex> roots);
-    /// Marks blocks as arrived. Does not add blocks that the plan lacks. Ignores unknown trees and
+    /// Marks blocks that the worker has reported as held and arrived. Ignores unknown trees and
     /// roots out of range.
     void arrived(std::uint32_t slot, TreeId tree, std::span<const RootIndex> roots);
     /// Marks the blocks of an answered scenario as arrived. Ignores unknown trees.

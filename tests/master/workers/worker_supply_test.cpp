@@ -78,6 +78,15 @@ TEST(WorkerSupply, TreesWhoseBlocksAreKeptAreAddedWithoutAJob) {
     EXPECT_EQ(text_of(supply.add_kept(in_use)), "");
 }
 
+TEST(WorkerSupply, BlocksOfARemovedTreeAreKeptForTheNextTreeOfTheSameCut) {
+    WorkerSupply supply;
+    (void)supply.add_job(job(1, 1, 2), std::array{tree(1), tree(2)});
+    EXPECT_EQ(text_of(supply.remove_tree(TreeId{1})), "-t1");
+    AddTree again = tree(3);
+    again.cut = cut_of(1);
+    EXPECT_EQ(text_of(supply.add_kept(std::array{tree(2), again, tree(4)})), "+t3");
+}
+
 TEST(WorkerSupply, TooManyKeptCutsAreAnError) {
     WorkerSupply supply;
     Holding holding;

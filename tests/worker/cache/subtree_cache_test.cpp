@@ -1,11 +1,15 @@
-// Proves that the cache keeps its limit, evicts the least recently used subtree first, never evicts
-// pinned ones, reports evictions, and rejects subtrees with a wrong hash or shape.
+// Proves that the cache keeps its limit, evicts blocks of parked trees first and then the least
+// recently used subtree, never evicts pinned ones, reports evictions, and rejects subtrees with a
+// wrong hash or shape.
 #include "worker/cache/subtree_cache.hpp"
 
+#include "common/core/limits/worker.hpp"
 #include "tests/worker/cut_body.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstring>
 
 namespace cd::tests {
 namespace {
@@ -116,7 +120,7 @@ TEST_F(SubtreeCacheTest, UnneededBlocksAreLetGoAtOnceWhenTheLimitIsTiny) {
     EXPECT_EQ(cache.take_evicted(), (std::vector<SubtreeKey>{{tree, 0}}));
 }
 
-TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
+TEST_F(SubtreeCacheTest, ParkingATreeTouchesNoOtherAndDroppingItFreesItsBlocks) {
     SubtreeCache cache = cache_for(unlimited);
     const TreeId other{8};
     ASSERT_TRUE(cache.add_tree(add(other)));
@@ -125,20 +129,25 @@ TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
     insert(cache, 1);
     ASSERT_TRUE(cache.insert({other, 4}, subtree(4)));
     const std::weak_ptr<const Subtree> freed = cache.at({tree, 1});
-    cache.remove_tree(tree);
+    cache.park(tree);
+    EXPECT_FALSE(freed.expired());
+    EXPECT_EQ(cache.bytes(), bytes_of({0, 1, 4}));
+    EXPECT_EQ(cache.bytes_in_use(), bytes_of({4}));
+    cache.drop_parked();
     EXPECT_TRUE(freed.expired());
     EXPECT_EQ(cache.bytes(), bytes_of({4}));
+    EXPECT_EQ(cache.bytes_in_use(), bytes_of({4}));
     EXPECT_EQ(cache.find(tree), nullptr);
     EXPECT_EQ(cache.at({tree, 0}), nullptr);
     EXPECT_TRUE(cache.take_evicted().empty());
     // Blocks that still arrive and scenarios that still end do no harm.
     insert(cache, 3);
     cache.unpin({tree, 1});
-    cache.remove_tree(tree);
+    cache.park(tree);
     EXPECT_EQ(cache.bytes(), bytes_of({4}));
 }
 
-TEST_F(SubtreeCacheTest, ATopStaysAsLongAsItsTree) {
+TEST_F(SubtreeCacheTest, ATopStaysWhileItsTreeIsNotParked) {
     SubtreeCache cache = cache_for(1);
     const SubtreeKey key{tree, top_root};
     EXPECT_FALSE(cache.has(key));
@@ -154,11 +163,22 @@ TEST_F(SubtreeCacheTest, ATopStaysAsLongAsItsTree) {
     EXPECT_TRUE(cache.snapshot(tree)->has_top());
     cache.pin(key); // Nothing to pin.
     cache.unpin(key);
-    cache.park();
+    cache.park_all();
     EXPECT_TRUE(cache.take_evicted().empty());
+    EXPECT_EQ(cache.bytes(), 0u);
+    ASSERT_TRUE(cache.add_tree(add(TreeId{9})));
+    EXPECT_FALSE(cache.has({TreeId{9}, top_root}));
+}
+
+TEST_F(SubtreeCacheTest, ATopComesBackWithItsTree) {
+    SubtreeCache cache = cache_for(unlimited);
+    ASSERT_TRUE(cache.insert({tree, top_root}, open_block(body.top_block).value()));
+    cache.park_all();
     ASSERT_TRUE(cache.add_tree(add(TreeId{9})));
     EXPECT_TRUE(cache.has({TreeId{9}, top_root}));
-    cache.remove_tree(TreeId{9});
+    EXPECT_EQ(cache.let_go(0), 0u) << "it is not parked";
+    cache.park(TreeId{9});
+    EXPECT_EQ(cache.let_go(0), 1u);
     EXPECT_EQ(cache.bytes(), 0u);
 }
 
@@ -190,7 +210,8 @@ TEST_F(SubtreeCacheTest, WhatDoesNotFitTheTreeIsRefused) {
     const CutBody box = cut_body(make_box(Vec3(1, 1, 1)), 0);
     ASSERT_TRUE(cache.insert({tree, 0}, open_block(box.blocks[0]).value())) << "not yet known";
     EXPECT_FALSE(cache.insert({tree, top_root}, open_block(body.top_block).value()));
-    cache.remove_tree(tree);
+    cache.park(tree);
+    cache.drop_parked();
     ASSERT_TRUE(cache.add_tree(add(tree)));
     ASSERT_TRUE(cache.insert({tree, top_root}, open_block(body.top_block).value()));
     EXPECT_FALSE(cache.insert({tree, 0}, open_block(box.blocks[0]).value()));
@@ -223,7 +244,7 @@ TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
         insert(cache, root);
     }
     cache.pin({tree, 3});
-    cache.park();
+    cache.park(tree);
     EXPECT_EQ(cache.find(tree), nullptr);
     EXPECT_EQ(cache.parked(), std::vector<Sha256>{cut});
 
@@ -232,10 +253,13 @@ TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
     EXPECT_EQ(cache.held(other), (std::vector<RootIndex>{1, 3, 4}));
     EXPECT_NE(cache.at({other, 3}), nullptr);
     EXPECT_TRUE(cache.parked().empty());
+    EXPECT_EQ(cache.bytes_in_use(), bytes_of({1, 3, 4}));
     cache.pin({other, 3});
     cache.unpin({other, 3});
-    cache.remove_tree(other);
-    EXPECT_EQ(cache.bytes(), 0u);
+    EXPECT_EQ(cache.let_go(0), 3u);
+    EXPECT_EQ(cache.take_evicted().size(), 3u);
+    cache.park(other);
+    EXPECT_TRUE(cache.parked().empty()) << "it has no blocks";
 }
 
 TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
@@ -243,7 +267,7 @@ TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
     SubtreeCache cache(unlimited);
     ASSERT_TRUE(cache.add_tree(add(tree, cut)));
     insert(cache, 1);
-    cache.park();
+    cache.park_all();
     ASSERT_TRUE(cache.add_tree(add(TreeId{1}, some_name(2))));
     AddTree other_form = add(TreeId{2}, cut);
     other_form.form = SubtreeForm::Binary;
@@ -265,7 +289,7 @@ TEST_F(SubtreeCacheTest, ParkedSubtreesLeaveFirstAndNobodyIsTold) {
     ASSERT_TRUE(cache.add_tree(add(tree, some_name(1))));
     insert(cache, 0);
     insert(cache, 1);
-    cache.park();
+    cache.park_all();
     ASSERT_TRUE(cache.add_tree(add(tree, some_name(2))));
     for (const RootIndex root : {2u, 3u, 4u}) {
         insert(cache, root);
@@ -274,6 +298,41 @@ TEST_F(SubtreeCacheTest, ParkedSubtreesLeaveFirstAndNobodyIsTold) {
     EXPECT_TRUE(cache.take_evicted().empty());
     EXPECT_EQ(cache.held(tree), (std::vector<RootIndex>{2, 3, 4}));
     EXPECT_TRUE(cache.parked().empty());
+}
+
+TEST_F(SubtreeCacheTest, ParkedTreesLeaveBeforeLongUnusedOnesAndThoseParkedFirstBeforeTheOthers) {
+    SubtreeCache cache(unlimited);
+    ASSERT_TRUE(cache.add_tree(add(tree, some_name(1))));
+    insert(cache, 0);
+    for (unsigned char number = 2; number < 4; ++number) {
+        const TreeId other{number};
+        ASSERT_TRUE(cache.add_tree(add(other, some_name(number))));
+        ASSERT_TRUE(cache.insert({other, 1}, subtree(1)));
+        ASSERT_TRUE(cache.insert({other, top_root}, open_block(body.top_block).value()));
+        cache.park(other);
+    }
+    ASSERT_EQ(cache.parked(), (std::vector{some_name(2), some_name(3)}));
+    EXPECT_EQ(cache.let_go(cache.bytes() - 1), 1u);
+    EXPECT_EQ(cache.parked().size(), 2u) << "the upper tree of the first is still here";
+    EXPECT_EQ(cache.let_go(cache.bytes() - 1), 1u);
+    EXPECT_EQ(cache.parked(), std::vector{some_name(3)});
+    EXPECT_EQ(cache.let_go(bytes_of({0})), 2u);
+    EXPECT_TRUE(cache.parked().empty());
+    EXPECT_TRUE(cache.take_evicted().empty()) << "the master does not know of them";
+    EXPECT_NE(cache.at({tree, 0}), nullptr);
+}
+
+TEST_F(SubtreeCacheTest, TheNumberOfParkedTreesIsBounded) {
+    SubtreeCache cache(unlimited);
+    const auto top = open_block(body.top_block).value();
+    for (std::uint64_t number = 1; number <= limits::parked_trees_max + 1; ++number) {
+        Sha256 name;
+        std::memcpy(name.bytes.data(), &number, sizeof number);
+        ASSERT_TRUE(cache.add_tree(add(TreeId{number}, name)));
+        ASSERT_TRUE(cache.insert({TreeId{number}, top_root}, top));
+        cache.park(TreeId{number});
+    }
+    EXPECT_EQ(cache.parked().size(), limits::parked_trees_max);
 }
 
 } // namespace

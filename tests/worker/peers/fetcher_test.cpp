@@ -132,11 +132,21 @@ TEST(Fetcher, AHintIsForgottenWhereSomethingWouldHaveToLeave) {
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}}));
 }
 
-TEST(Fetcher, AHintOfARemovedTreeIsForgotten) {
+TEST(Fetcher, AHintTakesTheRoomOfParkedTrees) {
+    Bench bench(unlimited);
+    bench.deliver({tree_a, 0});
+    Bench full(bench.cache.bytes());
+    full.deliver({tree_a, 0});
+    full.cache.park(tree_a);
+    full.fetcher.hint({JobId{1}, {tree_b, 1}});
+    EXPECT_EQ(full.fetcher.advance().want, (Keys{{tree_b, 1}}));
+}
+
+TEST(Fetcher, AHintOfAParkedTreeIsForgotten) {
     Bench bench(unlimited);
     bench.fetcher.hint({JobId{1}, {tree_a, 0}});
     bench.fetcher.forget_requests(tree_a);
-    bench.cache.remove_tree(tree_a);
+    bench.cache.park(tree_a);
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
 }
 
@@ -185,14 +195,14 @@ TEST(Fetcher, ATooSmallCacheStillRunsOneScenarioAfterTheOther) {
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 1}, {tree_b, 1}}));
 }
 
-TEST(Fetcher, ARemovedTreeLeavesTheOthersAlone) {
+TEST(Fetcher, AParkedTreeLeavesTheOthersAlone) {
     Bench bench(unlimited);
     bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_b, 0}});
     bench.fetcher.add(2, JobId{1}, {{tree_b, 1}});
     EXPECT_EQ(bench.fetcher.advance().want.size(), 3u);
     bench.fetcher.finished(1);
     bench.fetcher.forget_requests(tree_a);
-    bench.cache.remove_tree(tree_a);
+    bench.cache.park(tree_a);
     bench.deliver({tree_a, 0}); // It was in flight.
     bench.deliver({tree_b, 1});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});

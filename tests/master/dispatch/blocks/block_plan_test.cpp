@@ -51,9 +51,11 @@ TEST_F(BlockPlans, ABlockComesUntilItIsReportedOrAScenarioWithItIsAnswered) {
     EXPECT_EQ(plan_.tree(tree).held.roots_of(0), 2u);
 }
 
-TEST_F(BlockPlans, AReportAddsNoBlockThatThePlanLacks) {
+TEST_F(BlockPlans, AReportedBlockIsHeldEvenIfNoScenarioNeededIt) {
     plan_.arrived(0, tree, both);
-    EXPECT_EQ(plan_.hold(0, tree, both).roots, both);
+    EXPECT_EQ(plan_.held_triangles(0), 400u);
+    EXPECT_FALSE(plan_.tree(tree).coming.any());
+    EXPECT_TRUE(plan_.hold(0, tree, both).roots.empty());
 }
 
 TEST_F(BlockPlans, AFreedSlotHoldsNothing) {
