@@ -48,7 +48,8 @@ void check_records(const Result<RecordFile>& file) {
     std::uint64_t index_min = 0;
     const Status read = file.value().for_each([&](const RecordView& record) -> Status {
         require(record.result.index >= index_min, "records ascend");
-        require(encode_result(record.result) == record.bytes, "records are canonical");
+        require(std::ranges::equal(encode_result(record.result), record.bytes),
+                "records are canonical");
         index_min = record.result.index + 1;
         ++count;
         return Done{};
