@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "20e4e7a3d7f7c3a5"},
-    {"welcome", 116, "15d5ae6273141bbe"},
+    {"hello", 95, "385f867bdfe92086"},
+    {"welcome", 116, "757813f367a43834"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -51,7 +51,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},
     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 581, "f8de350fedc29c7a"},
+    {"submit", 629, "b4ab4c69d3873bd7"},
     {"poses part", 161, "df3fb88cf20ca156"},
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
@@ -68,7 +68,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"peer fetch", 64, "1fa3b1fe14bda8bc"},
     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},
-    {"explained", 230, "cc3c00c98726d102"},
+    {"explained", 255, "c8909497a0395eb2"},
     {"add job", 162, "a662b7bc8539d8c0"},
     {"remove job", 8, "d86e8112f3c4c444"},
     {"results kept", 32, "85f896738b831cb7"},
@@ -86,7 +86,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
-    {"job description", 597, "50e0387fe52000a5"},
+    {"job description", 645, "2553e0b388380301"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
     {"poses query", 32, "f1efd35118dc9d45"},
