@@ -7,6 +7,8 @@
 #include "common/job/scenario.hpp"
 #include "master/dispatch/policy/strategies.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -66,6 +68,11 @@ Status check_origin(const Submit& submit) {
         return Error{ErrorCode::TooLarge,
                      std::to_string(submit.ignore.size()) + " lines of ignored parts; at most " +
                          std::to_string(limits::ignored_ranges_max) + " are taken"};
+    }
+    for (const JobBody& body : submit.bodies) {
+        if (!std::ranges::all_of(body.origin, [](double x) { return std::isfinite(x); })) {
+            return bad("the origin of a body's mesh is not finite");
+        }
     }
     const bool are_shots = submit.poses.kind == PosesKind::Shots;
     if (submit.poses.shots.has_value() != are_shots) {

@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -102,6 +104,16 @@ TEST(Submission, HasAPriorityInItsRange) {
     for (const std::int32_t priority : {-11, 11}) {
         EXPECT_EQ(two.refusal([&](Submit& job) { job.priority = priority; }),
                   "the priority is " + std::to_string(priority) + " and may be -10 to 10");
+    }
+}
+
+TEST(Submission, TheOriginOfAMeshIsFinite) {
+    const auto with_origin = [](double x) {
+        return [x](Submit& job) { job.bodies[1].origin = {0.5, x, -2}; };
+    };
+    EXPECT_EQ(Bodies(2).refusal(with_origin(1e9)), "");
+    for (const double x : {std::nan(""), -std::numeric_limits<double>::infinity()}) {
+        EXPECT_THAT(Bodies(2).refusal(with_origin(x)), HasSubstr("mesh is not finite"));
     }
 }
 
