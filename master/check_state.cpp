@@ -10,7 +10,9 @@
 #include "master/submission/pose_spool.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 
 namespace cd {
 
@@ -33,14 +35,14 @@ class Check {
             problem(lock.error().detail);
             return std::move(report_);
         }
-        if (std::filesystem::is_empty(directory_, ignored)) {
+        if (is_unused()) {
             report_.lines.push_back("there is no state yet");
         } else {
             check_journal();
             check_meshes();
             check_blocks();
-            note(MasterIdentity::check(directory_));
         }
+        note(MasterIdentity::check(directory_));
         report_.lines.push_back(report_.is_sound ? "the state is sound"
                                                  : "the state is damaged; nothing was changed");
         return std::move(report_);
@@ -55,6 +57,17 @@ class Check {
         if (!status) {
             problem(status.error().detail);
         }
+    }
+
+    /// Returns true if no master has kept anything here yet, besides an identity.
+    [[nodiscard]] bool is_unused() const {
+        constexpr std::array<std::string_view, 4> before_use{
+            "identity", "identity.new", "refused", "lock"};
+        std::error_code ignored;
+        const std::filesystem::directory_iterator files(directory_, ignored);
+        return std::all_of(begin(files), end(files), [&](const auto& file) {
+            return std::ranges::find(before_use, file.path().filename()) != before_use.end();
+        });
     }
 
     void check_journal() {

@@ -1,6 +1,8 @@
 #include "master/identity/identity.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
@@ -12,6 +14,7 @@
 #include <array>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace cd {
@@ -25,6 +28,12 @@ constexpr std::array<std::string_view, 3> reserved_names{
 
 std::filesystem::path folder_of(const std::filesystem::path& state) {
     return state / "identity";
+}
+
+/// Where `init` makes an identity before it gets its name. A folder that is left there is of an
+/// `init` that did not end.
+std::filesystem::path unfinished_of(const std::filesystem::path& state) {
+    return state / "identity.new";
 }
 
 std::filesystem::path key_path(const std::filesystem::path& folder) {
@@ -67,13 +76,14 @@ Error no_authority(const std::filesystem::path& folder) {
 }
 
 /// Reads the authority. Errors: NotFound if there is none; BadInput; Io.
-Result<CertificateAuthority> read_authority(const std::filesystem::path& folder) {
-    const Result<std::string> certificate = read_private(certificate_path(folder));
+Result<CertificateAuthority> read_authority(const std::filesystem::path& folder,
+                                            FileOwner owner = FileOwner::UserOrRoot) {
+    const Result<std::string> certificate = read_private(certificate_path(folder), owner);
     if (!certificate) {
         return certificate.error().code == ErrorCode::NotFound ? no_authority(folder)
                                                                : certificate.error();
     }
-    const Result<std::string> key = read_private(key_path(folder));
+    const Result<std::string> key = read_private(key_path(folder), owner);
     if (!key) {
         return key.error().code == ErrorCode::NotFound ? Error{ErrorCode::Io, key.error().detail}
                                                        : key.error();
@@ -96,16 +106,25 @@ bool is_reserved(std::string name) {
     return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
-/// Writes the key, then the certificate, so that the key exists if the certificate does.
 Status write_authority(const std::filesystem::path& folder, const CertificateAuthority& authority) {
-    if (Status key = write_private(key_path(folder), authority.key()); !key) {
-        return key;
-    }
+    CD_TRY(write_private(key_path(folder), authority.key()));
     return write_private(certificate_path(folder), authority.certificate());
 }
 
-Result<TokenBook> read_tokens(const std::filesystem::path& folder) {
-    const Result<std::string> text = read_private(tokens_path(folder));
+/// Gives a folder whose files are on the disk its final name. Errors: Io.
+Status rename_folder(const std::filesystem::path& from, const std::filesystem::path& to) {
+    CD_TRY(sync_directory(from));
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (error) {
+        return Error{ErrorCode::Io, "cannot create " + to.string() + ": " + error.message()};
+    }
+    return sync_directory(to.parent_path());
+}
+
+Result<TokenBook> read_tokens(const std::filesystem::path& folder,
+                              FileOwner owner = FileOwner::UserOrRoot) {
+    const Result<std::string> text = read_private(tokens_path(folder), owner);
     if (!text) {
         return text.error().code == ErrorCode::NotFound ? Result<TokenBook>(TokenBook())
                                                         : Result<TokenBook>(text.error());
@@ -125,17 +144,21 @@ Result<TokenBook> read_tokens(const std::filesystem::path& folder) {
 Status MasterIdentity::init(const std::filesystem::path& state, const Options& options) {
     const std::filesystem::path folder = folder_of(state);
     Result<CertificateAuthority> authority = read_authority(folder);
-    if (!authority && authority.error().code != ErrorCode::NotFound) {
+    if (authority) {
+        return MasterIdentity(folder, std::move(authority.value()), TokenBook(), options)
+            .renew_admin();
+    }
+    if (authority.error().code != ErrorCode::NotFound) {
         return authority.error();
     }
-    if (!authority) {
-        authority = CertificateAuthority::make(options.now());
-        if (Status written = write_authority(folder, authority.value()); !written) {
-            return written;
-        }
-    }
-    const MasterIdentity identity(folder, std::move(authority.value()), TokenBook(), options);
-    return identity.renew_admin();
+    const std::filesystem::path unfinished = unfinished_of(state);
+    std::error_code ignored; // Writing replaces the files that stay.
+    std::filesystem::remove_all(unfinished, ignored);
+    const MasterIdentity made(
+        unfinished, CertificateAuthority::make(options.now()), TokenBook(), options);
+    CD_TRY(write_authority(unfinished, made.authority_));
+    CD_TRY(made.renew_admin());
+    return rename_folder(unfinished, folder);
 }
 
 Result<std::unique_ptr<MasterIdentity>> MasterIdentity::open(const std::filesystem::path& state,
@@ -161,12 +184,12 @@ Result<std::unique_ptr<MasterIdentity>> MasterIdentity::open(const std::filesyst
 
 Status MasterIdentity::check(const std::filesystem::path& state) {
     const std::filesystem::path folder = folder_of(state);
-    const Result<CertificateAuthority> authority = read_authority(folder);
+    const Result<CertificateAuthority> authority = read_authority(folder, FileOwner::Anyone);
     if (!authority) {
         return authority.error().code == ErrorCode::NotFound ? Status(Done{})
                                                              : Status(authority.error());
     }
-    const Result<TokenBook> tokens = read_tokens(folder);
+    const Result<TokenBook> tokens = read_tokens(folder, FileOwner::Anyone);
     return tokens ? Status(Done{}) : Status(tokens.error());
 }
 

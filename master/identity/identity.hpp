@@ -26,8 +26,8 @@ class MasterIdentity {
         Clock now = [] { return std::chrono::system_clock::now(); };
     };
 
-    /// Creates an authority if there is none. Always writes a new admin credential. Errors: Io;
-    /// BadInput for damaged files.
+    /// Creates an identity if there is none, whole or not at all. Otherwise writes a new admin
+    /// credential. Errors: Io; BadInput for damaged files.
     [[nodiscard]] static Status init(const std::filesystem::path& state, const Options& options);
 
     /// Opens the identity, and renews certificates that are due. Returns null if `init` has not
@@ -35,7 +35,8 @@ class MasterIdentity {
     [[nodiscard]] static Result<std::unique_ptr<MasterIdentity>>
     open(const std::filesystem::path& state, const Options& options);
 
-    /// Checks that the identity's files, if any, can be read; changes nothing. Errors: as `open`.
+    /// Checks that the identity's files, if any, can be read, whoever owns them; changes nothing.
+    /// Errors: as `open`.
     [[nodiscard]] static Status check(const std::filesystem::path& state);
 
     /// The master's current TLS context, which a renewal replaces.

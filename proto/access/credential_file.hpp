@@ -6,6 +6,7 @@
 #include "proto/channel/channel.hpp"
 #include "proto/identity/certificate.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -30,9 +31,13 @@ namespace cd {
 [[nodiscard]] Status check_can_write(const std::filesystem::path& path);
 /// Writes a small file atomically, with mode 0600. Creates the file's folder. Errors: BadInput; Io.
 [[nodiscard]] Status write_private(const std::filesystem::path& path, std::string_view text);
-/// Reads a small file. Errors: NotFound; Io; TooLarge; Refused if other users may read the file, or
-/// if its owner is neither the process's user nor root.
-[[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
+/// The owners from whom `read_private` takes a file: the process's user and root, or also others,
+/// for a look at the state of another user.
+enum class FileOwner : std::uint8_t { UserOrRoot, Anyone };
+/// Reads a small file. Errors: NotFound; Io; TooLarge; Refused if other users than its owner may
+/// read the file, or if `owner` excludes its owner.
+[[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path,
+                                               FileOwner owner = FileOwner::UserOrRoot);
 
 /// Returns when to renew a certificate: after half of its validity. The validity begins
 /// `timing::clock_difference_max` before the issue; that time does not count.

@@ -187,6 +187,17 @@ TEST_F(CheckState, AnEmptyFolderIsSoundAndStaysEmpty) {
     EXPECT_TRUE(std::filesystem::is_empty(empty.path()));
 }
 
+TEST(CheckUnusedState, AnIdentityAloneIsSound) {
+    const TemporaryFolder state;
+    ASSERT_TRUE(MasterIdentity::init(state.path(), {std::chrono::hours(1)}));
+    std::filesystem::create_directory(state / "identity.new");
+    const StateReport report = check_state(state.path());
+    EXPECT_TRUE(report.is_sound) << text_of(report);
+    EXPECT_THAT(report.lines, testing::Contains("there is no state yet"));
+    std::filesystem::remove(state / "identity/authority.pem");
+    EXPECT_FALSE(check_state(state.path()).is_sound);
+}
+
 TEST_F(CheckState, NoFileIsMade) {
     std::filesystem::remove(folder_ / "lock");
     const auto names = [this] {
