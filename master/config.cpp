@@ -76,6 +76,9 @@ Result<FailureTimes> failure_times(const Texts& texts) {
     times.lost_after = milliseconds(texts.lost_after_seconds);
     times.return_within = milliseconds(texts.return_within_seconds);
     times.forgotten_after = std::max(times.forgotten_after, times.lost_after);
+    if (std::isnan(texts.return_within_seconds)) {
+        return Error{ErrorCode::BadInput, "--return-within: not a number"};
+    }
     if (times.heartbeat < timing::heartbeat_period_min) {
         return Error{ErrorCode::BadInput, "--heartbeat: less than 0.01"};
     }
@@ -168,8 +171,7 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDMASTER_CONFIG")
         ->type_name("FILE");
-    app.config_formatter(make_toml_config(environment_prefix));
-    app.allow_config_extras(false);
+    app.config_formatter(make_toml_config(app, environment_prefix));
 }
 
 MasterCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {

@@ -159,8 +159,7 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDWORKER_CONFIG")
         ->type_name("FILE");
-    app.config_formatter(make_toml_config(environment_prefix));
-    app.allow_config_extras(false);
+    app.config_formatter(make_toml_config(app, environment_prefix));
 }
 
 std::optional<std::chrono::seconds> seconds_of(const std::optional<std::int64_t>& count) {

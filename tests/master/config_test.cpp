@@ -58,7 +58,10 @@ TEST(MasterConfig, WhatIsWrongIsNamed) {
     expect_error(parse({"--no-such-option"}), "no-such-option");
     expect_error(parse({"--config", "/no/such/file.toml"}), "file.toml");
     write_text(file, "lisen = \"127.0.0.1:1\"\n");
-    expect_error(parse({"--config", file.c_str()}), "lisen");
+    expect_error(parse({"--config", file.c_str()}),
+                 "line 1: there is no option 'lisen'; did you mean 'listen'?");
+    write_text(file, "threads = 1\n\nqwertyuiop = 2\n");
+    expect_error(parse({"--config", file.c_str()}), "line 3: there is no option 'qwertyuiop'\n");
     write_text(file, "listen = \n");
     expect_error(parse({"--config", file.c_str()}), "line 1");
     write_text(file, "[table]\nlisten = 1\n");
@@ -103,10 +106,18 @@ TEST(MasterConfig, TimesOfFailuresAreInSecondsAndGoTogether) {
     EXPECT_EQ(line.config->times.heartbeat, 50ms);
     EXPECT_EQ(line.config->times.lost_after, 300ms);
     EXPECT_EQ(line.config->times.return_within, 0ms);
+    const TemporaryFolder folder;
+    const std::string file = (folder / "master.toml").string();
+    write_text(file, "heartbeat = 0.05\nlost-after = 0.3\n");
+    const auto from_file = parse({"--config", file.c_str()});
+    ASSERT_TRUE(from_file.config) << from_file.text;
+    EXPECT_EQ(from_file.config->times.heartbeat, 50ms);
+    EXPECT_EQ(from_file.config->times.lost_after, 300ms);
     EXPECT_EQ(parse({"--lost-after", "5.9"}).exit_code, 2);
     EXPECT_EQ(parse({"--heartbeat", "0.001"}).exit_code, 2);
     EXPECT_EQ(parse({"--heartbeat", "-1"}).exit_code, 2);
     EXPECT_EQ(parse({"--return-within", "100000"}).exit_code, 2);
+    EXPECT_EQ(parse({"--return-within", "nan"}).exit_code, 2);
 }
 
 TEST(MasterConfig, JobsAreKeptByNumberOrByTime) {

@@ -4,6 +4,9 @@
 
 #include <toml++/toml.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace cd {
@@ -16,13 +19,17 @@ Error config_error(const std::string& place,
     return bad_input(place + std::to_string(where.begin.line) + ": " + what);
 }
 
-/// Returns the text of a value that an option may have; nothing for a table, a date or a float.
+/// Returns the text of a value that an option may have; nothing for a table, a date or infinity.
 std::optional<std::string> option_text(const toml::node& value) {
     if (const auto* text = value.as_string()) {
         return text->get();
     }
     if (const auto* number = value.as_integer()) {
         return std::to_string(number->get());
+    }
+    if (const auto* number = value.as_floating_point(); number && std::isfinite(number->get())) {
+        std::array<char, 32> text{};
+        return std::string(text.data(), std::to_chars(text.begin(), text.end(), number->get()).ptr);
     }
     if (const auto* truth = value.as_boolean()) {
         return truth->get() ? "true" : "false";
@@ -39,8 +46,8 @@ option_texts(const std::string& key, const toml::node& value, const std::string&
             return config_error(place,
                                 node.source(),
                                 "'" + key +
-                                    "' is neither text, a whole number, nor true or false, nor a "
-                                    "list of these");
+                                    "' is neither text, a number, nor true or false, nor a list of "
+                                    "these");
         }
         texts.push_back(*std::move(text));
         return Done{};

@@ -17,7 +17,7 @@ struct ConfigEntry {
     std::uint32_t line = 0;          ///< Line of the key, from 1.
 };
 
-/// Parses `key = value` lines, sorted by key in the result. A value is text, a whole number, true
+/// Parses `key = value` lines, sorted by key in the result. A value is text, a finite number, true
 /// or false, or a list of these. Errors: BadInput that begins with `place` and the line's number:
 /// "FILE:3: ..." for the place "FILE:".
 [[nodiscard]] Result<std::vector<ConfigEntry>> parse_config(std::string_view text,

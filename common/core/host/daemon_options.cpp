@@ -1,6 +1,7 @@
 #include "common/core/host/daemon_options.hpp"
 
 #include "common/core/host/config_file.hpp"
+#include "common/core/words.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -8,6 +9,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace {
 
 class TomlConfig final : public CLI::Config {
   public:
-    explicit TomlConfig(std::string prefix) : prefix_(std::move(prefix)) {}
+    TomlConfig(const CLI::App& app, std::string prefix) : app_(app), prefix_(std::move(prefix)) {}
 
     std::string to_config(const CLI::App* /*app*/,
                           bool /*defaults*/,
@@ -34,6 +36,7 @@ class TomlConfig final : public CLI::Config {
         }
         std::vector<CLI::ConfigItem> found;
         for (ConfigEntry& entry : entries.value()) {
+            check_is_option(entry);
             CLI::ConfigItem item;
             item.name = std::move(entry.key);
             item.inputs = std::move(entry.values);
@@ -46,6 +49,23 @@ class TomlConfig final : public CLI::Config {
     }
 
   private:
+    void check_is_option(const ConfigEntry& entry) const {
+        if (app_.get_option_no_throw("--" + entry.key) != nullptr) {
+            return;
+        }
+        std::vector<std::string_view> known;
+        for (const CLI::Option* const option : app_.get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                known.emplace_back(name);
+            }
+        }
+        const auto nearest = nearest_word(entry.key, known);
+        throw CLI::ConfigError("line " + std::to_string(entry.line) + ": there is no option '" +
+                               entry.key + "'" +
+                               (nearest ? "; did you mean '" + std::string(*nearest) + "'?" : ""));
+    }
+
+    const CLI::App& app_;
     std::string prefix_;
 };
 
@@ -65,8 +85,8 @@ std::string environment_name(const std::string& prefix, std::string option) {
     return prefix + option;
 }
 
-std::shared_ptr<CLI::Config> make_toml_config(std::string prefix) {
-    return std::make_shared<TomlConfig>(std::move(prefix));
+std::shared_ptr<CLI::Config> make_toml_config(const CLI::App& app, std::string prefix) {
+    return std::make_shared<TomlConfig>(app, std::move(prefix));
 }
 
 std::shared_ptr<CLI::FormatterBase> make_examples_first() {
