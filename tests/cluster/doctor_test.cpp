@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -169,6 +170,74 @@ TEST_F(DoctorOfACluster, OwnFaultsAreFound) {
                                      "none"});
     EXPECT_EQ(simd.exit_code, 1);
     EXPECT_THAT(simd.output, ContainsRegex("^FAIL  this machine     .*mmx"));
+}
+
+TEST_F(DoctorOfACluster, AWrongClockIsFound) {
+    const auto doctor_ahead_by = [this](const std::string& seconds) {
+        return cd::tests::run({"/usr/bin/env",
+                               "LD_PRELOAD=" CD_SHIFTED_CLOCK,
+                               "ASAN_OPTIONS=verify_asan_link_order=0",
+                               "CD_CLOCK_SHIFT=" + seconds,
+                               cdctl(),
+                               "doctor",
+                               "--master",
+                               master_->address(),
+                               "--http",
+                               http()});
+    };
+    const Ran minute = doctor_ahead_by("60");
+    EXPECT_EQ(minute.exit_code, 0) << minute.output << minute.errors;
+    EXPECT_THAT(
+        minute.output,
+        ContainsRegex("\nwarn  master           .*, clock -(59|60)\\.[0-9] s: set the clocks"));
+    const Ran hours = doctor_ahead_by("-7200");
+    EXPECT_EQ(hours.exit_code, 1);
+    EXPECT_THAT(
+        hours.output,
+        ContainsRegex("\nFAIL  master           .*, clock \\+7200\\.[0-9] s: set the clocks"));
+}
+
+TEST(Doctor, AFullDiskIsFound) {
+    std::vector<std::string> mount{"/usr/bin/unshare", "--mount"};
+    if (::geteuid() != 0) {
+        mount.insert(mount.end(), {"--user", "--map-root-user"});
+    }
+    const auto with = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> command = mount;
+        command.insert(command.end(), words.begin(), words.end());
+        return command;
+    };
+    if (cd::tests::run(with({"/bin/true"})).exit_code != 0) {
+        GTEST_SKIP() << "this user may not mount";
+    }
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "state");
+    const Process master(with({"/bin/sh",
+                               "-c",
+                               "mount -t tmpfs -o size=64m cdcluster \"$0\" && exec \"$@\"",
+                               folder / "state",
+                               program("cdmaster").string(),
+                               "--listen",
+                               "127.0.0.1:0",
+                               "--port-file",
+                               folder / "port",
+                               "--state",
+                               folder / "state"}),
+                         folder / "master");
+    ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(folder / "port"); }))
+        << master.errors();
+    const std::string port = read_text(folder / "port");
+    const Ran ran = cd::tests::run({program("cdctl").string(),
+                                    "doctor",
+                                    "--master",
+                                    "127.0.0.1:" + port.substr(0, port.find('\n')),
+                                    "--http",
+                                    "none"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.output << ran.errors;
+    EXPECT_THAT(
+        ran.output,
+        ContainsRegex(
+            "\nFAIL  disk             master has 6[0-9]\\.[0-9] MiB for its state; `cdctl rm`"));
 }
 
 } // namespace
