@@ -30,6 +30,9 @@ TEST(BuildInfo, TheTextHasALineForEachFact) {
     EXPECT_TRUE(has(text, "\n  SIMD        avx2\n")) << text;
     EXPECT_TRUE(has(text, "\n  libraries   assimp 5.")) << text;
     EXPECT_TRUE(has(text, ", OpenSSL 3.")) << text;
+    for (const char* const library : {", Expat 2.", ", fmt 9.", ", HDF5 1.", ", pugixml 1."}) {
+        EXPECT_TRUE(has(text, library)) << text;
+    }
     EXPECT_FALSE(build_commit().empty());
 }
 
