@@ -9,10 +9,32 @@
 
 namespace cd {
 
+namespace {
+
+// Each thread keeps its contexts: to make one costs more than to compress a few kilobytes.
+struct FreeContext {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+    void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+};
+
+ZSTD_CCtx* compressing_context() {
+    thread_local const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
+    CD_CHECK(context != nullptr);
+    return context.get();
+}
+
+ZSTD_DCtx* decompressing_context() {
+    thread_local const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
+    CD_CHECK(context != nullptr);
+    return context.get();
+}
+
+} // namespace
+
 Bytes compress(std::span<const std::byte> bytes, int level) {
     Bytes out(ZSTD_compressBound(bytes.size()));
-    const std::size_t size =
-        ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
+    const std::size_t size = ZSTD_compressCCtx(
+        compressing_context(), out.data(), out.size(), bytes.data(), bytes.size(), level);
     CD_CHECK(ZSTD_isError(size) == 0);
     out.resize(size);
     return out;
@@ -26,7 +48,9 @@ constexpr std::size_t believed_ratio = 64;
 
 /// Decompresses into `out`. Returns false if `bytes` are damaged or do not fill `out` exactly.
 bool decompress_into(std::span<std::byte> out, std::span<const std::byte> bytes) {
-    return ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size()) == out.size();
+    return ZSTD_decompressDCtx(
+               decompressing_context(), out.data(), out.size(), bytes.data(), bytes.size()) ==
+           out.size();
 }
 
 } // namespace

@@ -47,6 +47,20 @@ TEST(Compress, MoreThanTheLimitIsRefused) {
     EXPECT_TRUE(decompress(packed, 1u << 20).has_value());
 }
 
+/// A thread uses its contexts of zstd again and again.
+TEST(Compress, DamageDoesNotSpoilWhatTheThreadDecompressesNext) {
+    const Bytes packed = compress(sample(1000), compression_level_geometry);
+    Bytes damaged = packed;
+    damaged[packed.size() / 2] ^= std::byte{0xff};
+    for (int round = 0; round < 3; ++round) {
+        (void)decompress(damaged, 1000);
+        const auto back = decompress(packed, 1000);
+        ASSERT_TRUE(back.has_value());
+        EXPECT_EQ(back.value(), sample(1000));
+        EXPECT_EQ(compress(sample(1000), compression_level_geometry), packed);
+    }
+}
+
 TEST(Compress, BytesThatAreNotOneFrameAreRefused) {
     Bytes packed = compress(sample(1000), compression_level_fast);
     for (std::size_t size = 0; size < packed.size(); ++size) {
