@@ -24,10 +24,19 @@ field() { # EXPRESSION over the cluster's status s
         python3 -c "import json,sys; s=json.load(sys.stdin); print($1)"
 }
 
-start_workers() { # COUNT: of one thread each
+cpu() { # PID...: user and system time, seconds
+    local ticks=0 pid
+    for pid in "$@"; do
+        read -r -a fields < <(sed 's/.*) //' "/proc/$pid/stat")
+        ticks=$((ticks + fields[11] + fields[12]))
+    done
+    python3 -c "print($ticks / $(getconf CLK_TCK))"
+}
+
+start_workers() { # COUNT [THREADS]: of one thread each, or so many
     local i
     for ((i = 0; i < $1; ++i)); do
-        "${pinned[@]}" "$programs/bin/cdworker" --master "$master" --threads 1 --name "w$i" \
+        "${pinned[@]}" "$programs/bin/cdworker" --master "$master" --threads "${2:-1}" --name "w$i" \
             >"$scratch/w$i.log" 2>&1 &
         pids+=($!)
     done
