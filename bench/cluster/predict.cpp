@@ -2,7 +2,7 @@
 // thread, to compare it with a real run there. See `prediction`.
 //
 //   predict TRACE --cores N --workers N --strategy NAME --depth D
-#include "bench/cluster/model/experiments.hpp"
+#include "bench/cluster/paper/experiments.hpp"
 
 #include <CLI/CLI.hpp>
 

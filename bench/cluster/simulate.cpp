@@ -1,8 +1,10 @@
 // Runs the paper's experiments over recorded traces, under SimGrid. See README.md.
 //
-//   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|measured|end] [--quick]
+//   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|gains|measured|additions] [--quick]
 #include "bench/accuracy/machine.hpp"
-#include "bench/cluster/model/experiments.hpp"
+#include "bench/cluster/paper/additions.hpp"
+#include "bench/cluster/paper/attribution.hpp"
+#include "bench/cluster/paper/experiments.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -127,22 +129,18 @@ void run_measured(Experiments& experiments, const Scene& scene) {
 }
 
 /// Uses a depth at which neither the master's analysis nor the block size dominates.
-void compare_additions(Experiments& experiments, Scene scene) {
+void compare_additions(const ExperimentOptions& options, Scene scene) {
     scene.depth = 6;
-    experiments.compare_additions({paper_setting(), measured_setting()}, scene);
+    compare_additions(options, {paper_setting(), measured_setting()}, scene);
 }
 
 /// Runs the experiments without a fitted constant, then with one.
-void run_both(Experiments& experiments,
-              const std::filesystem::path& out,
-              std::array<Scene, 2>& scenes) {
+void run_both(Experiments& experiments, CsvFile& fit, std::array<Scene, 2> scenes) {
     for (Scene& scene : scenes) {
         scene.depth = experiments.vary_depth(paper_setting(), scene);
         run_paper(experiments, paper_setting(), scene);
     }
-    compare_additions(experiments, scenes[0]);
-    CsvFile fit(out / "fit.csv", {"what", "value"});
-    if (const auto rate = experiments.fit_pipe(scenes[0], paper_lowest_seconds)) {
+    if (const auto rate = experiments.fit_pipe(fitted_setting, scenes[0], paper_lowest_seconds)) {
         fit.row({"pipe, bytes a second", cell(*rate)});
         for (const Scene& scene : scenes) {
             static_cast<void>(experiments.vary_depth(fitted_setting(*rate), scene));
@@ -151,17 +149,47 @@ void run_both(Experiments& experiments,
     }
 }
 
-void run(const ExperimentOptions& options, std::array<Scene, 2> scenes, const std::string& which) {
+/// With two fitted constants, at the paper's depths: where the optimum of depth and q lies, and
+/// what each part contributes.
+void run_gains(Experiments& experiments,
+               CsvFile& fit,
+               const ExperimentOptions& options,
+               std::array<Scene, 2> scenes) {
+    for (Scene& scene : scenes) {
+        const bool has_it = scene.trace->at(scene.paper_depth) != nullptr;
+        scene.depth = has_it ? scene.paper_depth : scene.trace->depths.back().a.depth;
+    }
+    CsvFile attribution(options.out / "attribution.csv", attribution_columns());
+    if (const auto rate =
+            experiments.fit_pipe(client_first_setting, scenes[0], paper_lowest_seconds)) {
+        fit.row({"pipe with 3 ms an analysis, bytes a second", cell(*rate)});
+        const Setting setting = client_first_setting(*rate);
+        for (const Scene& scene : scenes) {
+            static_cast<void>(experiments.vary_depth(setting, scene));
+            experiments.vary_q(setting, scene);
+            attribute(attribution, options, setting, scene);
+        }
+    }
+}
+
+void run(const ExperimentOptions& options,
+         const std::array<Scene, 2>& scenes,
+         const std::string& which) {
     std::filesystem::create_directories(options.out);
+    if (which == "additions") {
+        return compare_additions(options, scenes[0]);
+    }
     write_machine(options.out, {});
     write_whole(options.out, scenes);
     write_costs(options.out, scenes);
     Experiments experiments(options);
-    if (which == "additions") {
-        return compare_additions(experiments, scenes[0]);
+    CsvFile fit(options.out / "fit.csv", {"what", "value"});
+    if (which == "gains") {
+        return run_gains(experiments, fit, options, scenes);
     }
     if (which != "measured") {
-        run_both(experiments, options.out, scenes);
+        run_both(experiments, fit, scenes);
+        compare_additions(options, scenes[0]);
     }
     if (which != "paper") {
         for (const Scene& scene : scenes) {
@@ -186,7 +214,7 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "A folder for CSV files")->required();
     app.add_option("--seeds", options.seeds, "Of each point")->check(CLI::PositiveNumber);
     app.add_option("--only", which, "Of the settings")
-        ->check(CLI::IsMember({"paper", "measured", "additions"}));
+        ->check(CLI::IsMember({"paper", "gains", "measured", "additions"}));
     app.add_flag("--quick", options.quick, "Few points, one seed");
     CLI11_PARSE(app, argc, argv);
     try {

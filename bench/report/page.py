@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Turns the CSV files of a run into a page of Markdown: RESULTS.md, or ANSWERS.md for the kind `answers`.
+"""Turns the CSV files of a run into a page of Markdown: RESULTS.md, ANSWERS.md for the kind `answers`, or GAINS.md.
 
-    page.py KIND FOLDER      KIND: peers, distances, shots, motions, scenes, accuracy, answers or cluster
+    page.py KIND FOLDER      KIND: peers, distances, shots, motions, scenes, accuracy, answers, cluster or gains
 
 Fails, after it has written the page, when an answer of ours is wrong, and when the page breaks a rule.
 """
@@ -13,7 +13,8 @@ import sys
 
 from tables import read
 
-KINDS = ("peers", "distances", "shots", "motions", "scenes", "accuracy", "answers", "cluster")
+KINDS = ("peers", "distances", "shots", "motions", "scenes", "accuracy", "answers", "cluster",
+         "gains")
 LINES_MAX = 60
 CELL_WORDS_MAX = 25
 # Rows of machine.csv that the first line of a page has.

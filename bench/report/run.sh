@@ -47,7 +47,7 @@ write_page() { # KIND FOLDER COMMAND
             break
         fi
     done
-    if [[ $1 =~ ^(answers|distances|shots|motions|scenes)$ ]]; then
+    if [[ $1 =~ ^(answers|distances|gains|shots|motions|scenes)$ ]]; then
         : # Pages without pictures.
     elif [[ -n $python ]]; then
         "$python" -B "$root/bench/report/plot.py" "$1" "$2"

@@ -1,12 +1,12 @@
 #include "bench/cluster/model/large_cluster.hpp"
 
+#include "bench/cluster/model/agenda.hpp"
 #include "bench/cluster/model/simulated_master.hpp"
 #include "bench/cluster/model/worker_model.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <functional>
-#include <queue>
 #include <utility>
 
 namespace cd::bench {
@@ -14,40 +14,6 @@ namespace cd::bench {
 namespace {
 
 constexpr std::uint64_t control_bytes_max = 1u << 14;
-
-/// Pending events, ordered by time, then by insertion.
-class Agenda {
-  public:
-    void at(double time, std::function<void()> what) {
-        entries_.push({std::max(time, now_), next_++, std::move(what)});
-    }
-    /// Returns false when no event is left.
-    bool step() {
-        if (entries_.empty()) {
-            return false;
-        }
-        const auto what = entries_.top().what;
-        now_ = entries_.top().time;
-        entries_.pop();
-        what();
-        return true;
-    }
-    [[nodiscard]] double now() const { return now_; }
-
-  private:
-    struct Entry {
-        double time = 0;
-        std::uint64_t number = 0;
-        std::function<void()> what;
-
-        bool operator<(const Entry& other) const {
-            return std::pair(time, number) > std::pair(other.time, other.number);
-        }
-    };
-    std::priority_queue<Entry> entries_;
-    std::uint64_t next_ = 0;
-    double now_ = 0;
-};
 
 class LargeCluster {
   public:
@@ -67,7 +33,7 @@ class LargeCluster {
     }
 
     LargeOutcome run() {
-        const std::vector<std::uint32_t> threads(options_.speeds.size(), 1);
+        const std::vector<std::uint32_t> threads(options_.speeds.size(), options_.threads);
         send(master_.start(threads));
         work_on_pool();
         await_timer();
@@ -83,8 +49,8 @@ class LargeCluster {
 
         WorkerModel model;
         double speed = 1;
-        bool is_busy = false;
-        double ends = 0;         ///< End of the running scenario.
+        std::uint32_t busy = 0;  ///< Number of threads that run scenarios.
+        double delay = 0;        ///< Time for which opening blocks has stopped the threads.
         double opened_until = 0; ///< End of the opening of its blocks.
         double first = 0;        ///< Start of the host's first scenario.
         double last = 0;
@@ -145,6 +111,7 @@ class LargeCluster {
     static MasterOptions master_options(const LargeOptions& options) {
         MasterOptions master;
         master.dispatch = options.dispatch;
+        master.analysis = options.analysis;
         master.peers = options.peers;
         master.cache_bytes = options.cache_bytes;
         master.pool_threads = options.analysts;
@@ -199,7 +166,7 @@ class LargeCluster {
         are_late_here_ = true;
         outcome_.joined_seconds = agenda_.now();
         outcome_.growth = master_.growth();
-        const std::vector<std::uint32_t> threads(options_.late.speeds.size(), 1);
+        const std::vector<std::uint32_t> threads(options_.late.speeds.size(), options_.threads);
         return master_.join(threads);
     }
 
@@ -235,12 +202,13 @@ class LargeCluster {
         host(to).model.take(hint);
         tell_master(to, host(to).model.ahead());
     }
-    /// A group of scenarios does not delay the opening of blocks: its next scenario waits.
+    /// A group of scenarios does not delay the opening of blocks: its next scenario waits. The
+    /// threads share the opening.
     void take(std::size_t to, const Subtrees& blocks) {
         Host& here = host(to);
-        const double seconds = here.model.open_seconds(blocks) / here.speed;
+        const double seconds = here.model.open_seconds(blocks) / here.speed / options_.threads;
         here.opened_until = std::max(here.opened_until, agenda_.now()) + seconds;
-        here.ends += seconds;
+        here.delay += seconds;
         agenda_.at(here.opened_until, [this, to, blocks] { opened(to, blocks); });
     }
     void take(std::size_t to, const FetchFromPeers& directed) {
@@ -289,19 +257,32 @@ class LargeCluster {
 
     [[nodiscard]] Host& host(std::size_t number) { return hosts_[number - 1]; }
 
+    /// What a thread runs without a pause.
+    struct Running {
+        std::vector<std::uint64_t> scenarios;
+        std::vector<double> seconds;
+        double delay = 0; ///< The host's when the end was computed.
+    };
+
     void work(std::size_t number) {
         Host& here = host(number);
-        if (here.is_busy || here.model.ready_count() == 0) {
-            return;
+        while (here.busy < options_.threads && here.model.ready_count() != 0) {
+            Running running;
+            double seconds = 0;
+            do {
+                running.scenarios.push_back(here.model.next());
+                const ScenarioCost& cost = workload_.scenario(running.scenarios.back());
+                running.seconds.push_back(cost.work_seconds / here.speed);
+                seconds += running.seconds.back();
+            } while (seconds < options_.at_once_seconds && here.model.ready_count() != 0);
+            const double begins = std::max(here.opened_until, agenda_.now());
+            here.first = here.worked == 0 && here.busy == 0 ? begins : here.first;
+            ++here.busy;
+            running.delay = here.delay;
+            agenda_.at(begins + seconds, [this, number, running = std::move(running)]() mutable {
+                ran(number, std::move(running));
+            });
         }
-        const std::uint64_t scenario = here.model.next();
-        const double seconds = workload_.scenario(scenario).work_seconds / here.speed;
-        const double begins = std::max(here.opened_until, agenda_.now());
-        here.first = here.worked == 0 ? begins : here.first;
-        here.is_busy = true;
-        here.ends = begins + seconds;
-        agenda_.at(here.ends,
-                   [this, number, scenario, seconds] { ran(number, scenario, seconds); });
     }
 
     void opened(std::size_t number, const Subtrees& blocks) {
@@ -311,17 +292,22 @@ class LargeCluster {
         work(number);
     }
 
-    void ran(std::size_t number, std::uint64_t scenario, double seconds) {
+    void ran(std::size_t number, Running running) {
         Host& here = host(number);
-        if (here.ends > agenda_.now()) { // Opening blocks delayed the scenario.
-            agenda_.at(here.ends,
-                       [this, number, scenario, seconds] { ran(number, scenario, seconds); });
+        if (here.delay > running.delay) { // Opening blocks delayed the scenarios.
+            const double ends = agenda_.now() + here.delay - running.delay;
+            running.delay = here.delay;
+            agenda_.at(ends, [this, number, running = std::move(running)]() mutable {
+                ran(number, std::move(running));
+            });
             return;
         }
-        here.is_busy = false;
-        here.worked += seconds;
+        --here.busy;
         here.last = agenda_.now();
-        here.model.ran(scenario, agenda_.now(), seconds);
+        for (std::size_t i = 0; i < running.scenarios.size(); ++i) {
+            here.worked += running.seconds[i];
+            here.model.ran(running.scenarios[i], agenda_.now(), running.seconds[i]);
+        }
         tell_results(number);
         tell_evicted(number);
         work(number);
@@ -348,20 +334,22 @@ class LargeCluster {
         outcome.answered = master_.answered();
         outcome.sent_bytes = counts.sent_bytes;
         outcome.block_bytes = counts.block_bytes;
+        outcome.uploads_max = counts.uploads_max;
         outcome.coordinator_us = 1e6 * counts.seconds / static_cast<double>(workload_.count());
         outcome.master_share = charged_ / outcome.seconds;
         double all = 0;
         for (const Host& host : hosts_) {
-            all += host.speed * outcome.seconds;
+            all += host.speed * options_.threads * outcome.seconds;
         }
         for (const Host& host : hosts_) {
             outcome.blocks_again += host.model.blocks_again();
             const bool worked = host.worked > 0;
             const double first = worked ? host.first : outcome.seconds;
             const double last = worked ? host.last : outcome.seconds;
-            outcome.start_share += host.speed * first / all;
-            outcome.between_share += host.speed * (last - first - host.worked) / all;
-            outcome.tail_share += host.speed * (outcome.seconds - last) / all;
+            const double power = host.speed * options_.threads;
+            outcome.start_share += power * first / all;
+            outcome.between_share += (power * (last - first) - host.speed * host.worked) / all;
+            outcome.tail_share += power * (outcome.seconds - last) / all;
         }
         return outcome;
     }

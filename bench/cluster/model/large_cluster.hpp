@@ -18,15 +18,19 @@ struct LateHosts {
 };
 
 struct LargeOptions {
-    std::vector<double> speeds; ///< Speed of each host relative to a fast one; one thread each.
+    std::vector<double> speeds; ///< Speed of each host's threads relative to a fast one's.
+    std::uint32_t threads = 1;  ///< Of each host.
     LateHosts late = {};
     ClusterOptions dispatch;
+    AnalysisMode analysis = AnalysisMode::Always;
     bool peers = true;
     std::uint64_t cache_bytes = 0; ///< Cache of each host; 0: no limit.
     double bytes_per_second = 125e6;
     double latency_seconds = 50e-6; ///< Latency of one link; a message passes two.
     std::uint32_t analysts = 15;    ///< Cores of the master's computer that analyse.
     double results_period = 0.05;
+    /// A thread takes ready scenarios of about this time at once; 0: one scenario.
+    double at_once_seconds = 0;
     /// Charges the master's thread with the coordinator's real time; runs then differ slightly.
     bool charges_coordinator = false;
     double result_seconds = 0; ///< Time of the master's thread for each result.
@@ -37,6 +41,7 @@ struct LargeOutcome {
     std::uint64_t answered = 0;
     std::uint64_t sent_bytes = 0;  ///< Bytes sent by the master.
     std::uint64_t block_bytes = 0; ///< Block bytes among them.
+    std::uint64_t uploads_max = 0; ///< Most times that the master sent one block.
     std::uint64_t received_bytes = 0;
     std::uint64_t peer_bytes = 0;
     std::uint64_t evictions = 0;

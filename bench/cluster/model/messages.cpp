@@ -6,6 +6,7 @@
 #include "proto/channel/frame.hpp"
 #include "proto/codec/codec.hpp"
 
+#include <numeric>
 #include <span>
 
 namespace cd::bench {
@@ -28,6 +29,11 @@ std::uint64_t batch_overhead() {
 
 std::vector<std::uint64_t> scenarios_in(const WorkUnit& unit) {
     std::vector<std::uint64_t> scenarios;
+    if (unit.scenarios.empty()) {
+        scenarios.resize(unit.count);
+        std::iota(scenarios.begin(), scenarios.end(), unit.first);
+        return scenarios;
+    }
     const auto unpacked = unpack_scenarios(unit.scenarios, unit.count);
     for (const Scenario& one : unpacked.value()) {
         scenarios.push_back(one.index);
@@ -53,7 +59,8 @@ void set_scenarios(Results& results, const std::vector<std::uint64_t>& scenarios
 }
 
 std::uint64_t bytes_of(const Message& message, const Workload& workload) {
-    if (const auto* unit = std::get_if<WorkUnit>(&message)) {
+    if (const auto* unit = std::get_if<WorkUnit>(&message);
+        unit != nullptr && !unit->scenarios.empty()) {
         static const std::uint64_t overhead = batch_overhead();
         std::uint64_t bytes = overhead;
         for (const std::uint64_t scenario : scenarios_in(*unit)) {

@@ -39,6 +39,7 @@ template <class Type>
     return messages;
 }
 
+/// The positions of a range are its scenarios.
 [[nodiscard]] std::vector<std::uint64_t> scenarios_in(const WorkUnit& unit);
 [[nodiscard]] std::vector<std::uint64_t> scenarios_in(const Results& results);
 /// Sets `count` and `records`.

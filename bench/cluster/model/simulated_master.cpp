@@ -7,6 +7,8 @@
 #include "common/job/poses/ordered_poses.hpp"
 #include "master/coordinator/coordinator.hpp"
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,13 +24,13 @@ Grid make_line(std::uint64_t count) {
     return grid;
 }
 
-Submit submission(const Workload& workload, const ClusterOptions& options) {
+Submit submission(const Workload& workload, const MasterOptions& options) {
     Submit submit;
     submit.bodies.resize(2);
     submit.bodies[0].mesh = sha256({});
     submit.query.level = Level::Count;
-    submit.cluster = options;
-    submit.cluster.analysis = AnalysisMode::Always;
+    submit.cluster = options.dispatch;
+    submit.cluster.analysis = options.analysis;
     submit.scenarios = workload.count();
     submit.grid = encode_grid(make_line(workload.count()));
     return submit;
@@ -49,7 +51,8 @@ struct SimulatedMaster::State {
     const Workload& workload;
     MasterOptions options;
     MasterCounts counts;
-    Letters letters;            ///< Of the current event.
+    std::map<BlockId, std::uint64_t> uploads; ///< Number of times that a block was sent.
+    Letters letters;                          ///< Of the current event.
     double letter_seconds = 0;  ///< Processor time for the letters of the current event.
     double spent = 0;           ///< Simulated time of the current work of a pool thread.
     std::uint64_t analysed = 0; ///< Scenarios of the current work of a pool thread.
@@ -75,7 +78,8 @@ struct SimulatedMaster::State {
          .options = {
              .check = [this](const TaskContent&, const Results& message) { return check(message); },
              .feed = options.feed,
-             .dispatch = {.helps_at_end = options.helps_at_end},
+             .dispatch = {.helps_at_end = options.helps_at_end,
+                          .strategies = strategies_with(options.variation)},
              .cpu_seconds =
                  [this] { return options.result_seconds * static_cast<double>(counts.results); }}}};
 };
@@ -117,7 +121,9 @@ void SimulatedMaster::State::send(WorkerId to, const Message& message) {
     if (const auto* subtrees = std::get_if<Subtrees>(&message)) {
         counts.blocks += subtrees->blocks.size();
         for (const SubtreeBlock& block : subtrees->blocks) {
-            counts.block_bytes += workload.block(block_id(subtrees->tree, block.root)).bytes;
+            const BlockId id = block_id(subtrees->tree, block.root);
+            counts.block_bytes += workload.block(id).bytes;
+            counts.uploads_max = std::max(counts.uploads_max, ++uploads[id]);
         }
     }
     counts.batches += std::holds_alternative<WorkUnit>(message) ? 1 : 0;
@@ -153,7 +159,7 @@ SimulatedMaster::Letters SimulatedMaster::start(std::span<const std::uint32_t> w
     return run([&] {
         const std::uint64_t count = state.workload.count();
         state.job = state.coordinator.jobs().allot(count).value();
-        const JobRecord record{state.job, submission(state.workload, state.options.dispatch)};
+        const JobRecord record{state.job, submission(state.workload, state.options)};
         state.coordinator.jobs().write(record);
         state.journal.commit();
         state.coordinator.jobs().begin(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/cluster/model/messages.hpp"
+#include "bench/cluster/model/policies.hpp"
 #include "bench/cluster/model/workload.hpp"
 #include "master/jobs/feed/analysis_feed.hpp"
 #include "proto/messages/cluster_options.hpp"
@@ -30,13 +31,16 @@ struct MasterCounts {
     std::uint64_t wants = 0;
     std::uint64_t blocks = 0;      ///< Blocks sent.
     std::uint64_t block_bytes = 0; ///< Bytes of the blocks alone.
+    std::uint64_t uploads_max = 0; ///< Most times that one block was sent.
     std::uint64_t sent_bytes = 0;  ///< Bytes of all letters.
     std::uint64_t results = 0;     ///< Results received, repeated ones included.
     double seconds = 0;            ///< Real processor time of the coordinator.
 };
 
 struct MasterOptions {
-    ClusterOptions dispatch; ///< Every scenario is analysed, whatever these say.
+    ClusterOptions dispatch;
+    AnalysisMode analysis = AnalysisMode::Always; ///< Whatever `dispatch` says.
+    Variation variation = Variation::None;
     FeedLimits feed = {};
     bool peers = false;            ///< Workers send each other blocks, as the master directs.
     std::uint64_t cache_bytes = 0; ///< Cache of each worker; 0: no limit.

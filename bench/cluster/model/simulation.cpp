@@ -69,6 +69,7 @@ class Simulation {
     static MasterOptions master_options(const SimulationOptions& options) {
         MasterOptions master;
         master.dispatch = options.dispatch;
+        master.variation = options.variation;
         master.feed.waiting_max = options.ahead;
         // The paper's master analyses one scenario after the other.
         master.feed.block_scenarios = options.analysts == 0 ? 1 : master.feed.block_scenarios;
@@ -178,6 +179,7 @@ class Simulation {
             : model(WorkerId{id}, workload),
               inbox("worker " + std::to_string(id)),
               posted(s4u::Semaphore::create(0)),
+              told(s4u::Semaphore::create(0)),
               finished(s4u::Semaphore::create(0)),
               work(s4u::Semaphore::create(0)),
               threads(thread_count) {}
@@ -186,6 +188,8 @@ class Simulation {
         Inbox<ToWorker> inbox;
         std::deque<Letter> outbox;                     ///< At the master.
         s4u::SemaphorePtr posted;                      ///< Counts the letters in the outbox.
+        std::deque<Message> untold;                    ///< Messages to the master.
+        s4u::SemaphorePtr told;                        ///< Counts the messages to the master.
         std::deque<Message> unpacked;                  ///< Results and ends of tasks to be sent.
         s4u::SemaphorePtr finished;                    ///< Counts the unpacked messages.
         std::deque<Subtrees> unopened;                 ///< Opened before scenarios run.
@@ -220,8 +224,21 @@ class Simulation {
         }
     }
 
+    /// In the other direction, too.
+    void run_reports(Worker& worker) {
+        for (;;) {
+            worker.told->acquire();
+            Message message = std::move(worker.untold.front());
+            worker.untold.pop_front();
+            const std::uint64_t bytes = bytes_of(message, workload_);
+            outcome_.received_bytes += bytes;
+            to_master_.put_and_wait(FromWorker{worker.model.id(), std::move(message)}, bytes);
+        }
+    }
+
     void start_worker(Worker& worker, s4u::Host* host, s4u::Host* master) {
         s4u::Actor::create("connection", master, [&worker] { run_connection(worker); });
+        s4u::Actor::create("reports", host, [this, &worker] { run_reports(worker); })->daemonize();
         s4u::Actor::create("session", host, [this, &worker] { run_session(worker); });
         s4u::Actor::create("packer", host, [this, &worker] { run_packer(worker); });
         for (std::uint32_t i = 0; i < worker.threads; ++i) {
@@ -395,11 +412,10 @@ class Simulation {
                    : 0;
     }
 
-    void put_to_master(const Worker& worker, Messages messages) {
+    static void put_to_master(Worker& worker, Messages messages) {
         for (Message& message : messages) {
-            const std::uint64_t bytes = bytes_of(message, workload_);
-            outcome_.received_bytes += bytes;
-            to_master_.put(FromWorker{worker.model.id(), std::move(message)}, bytes);
+            worker.untold.push_back(std::move(message));
+            worker.told->release();
         }
     }
 

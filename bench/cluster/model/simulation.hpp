@@ -1,6 +1,7 @@
 // One job on a simulated cluster: the real coordinator on SimGrid's hosts and network.
 #pragma once
 
+#include "bench/cluster/model/policies.hpp"
 #include "bench/cluster/model/workload.hpp"
 #include "proto/messages/cluster_options.hpp"
 
@@ -31,11 +32,16 @@ struct ClusterSpec {
     [[nodiscard]] double weighted_cores(double slow_ratio) const {
         return fast_cores + slow_cores / slow_ratio;
     }
+    /// The paper's weighted serial time (7.1) relative to that of a fast core.
+    [[nodiscard]] double weighted_ratio(double slow_ratio) const {
+        return (fast_cores + slow_cores * slow_ratio) / cores();
+    }
 };
 
 struct SimulationOptions {
     ClusterSpec cluster;
     ClusterOptions dispatch; ///< The workload gives its depths.
+    Variation variation = Variation::None;
     /// Analysed scenarios that may wait outside buffers; 0: the product's number.
     std::uint64_t ahead = 1;
     bool peers = false; ///< Workers send each other blocks.

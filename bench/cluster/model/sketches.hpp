@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
+#include "common/core/check.hpp"
 #include "master/base/event_loop.hpp"
 #include "master/compute/job_geometry.hpp"
 #include "master/journal/journal.hpp"
@@ -73,7 +74,8 @@ class InstantPool final : public Pool {
 /// The blocks of one body. A block that is sent has no bytes.
 class SketchCut final : public Cut {
   public:
-    explicit SketchCut(const std::vector<BlockCost>& blocks) : blocks_(blocks) {}
+    SketchCut(const std::vector<BlockCost>& blocks, const BlockCost& top)
+        : blocks_(blocks), top_(top) {}
 
     [[nodiscard]] std::uint32_t depth() const override { return 0; }
     [[nodiscard]] SubtreeForm form() const override { return SubtreeForm::Wide; }
@@ -86,13 +88,14 @@ class SketchCut final : public Cut {
     }
     [[nodiscard]] const Sha256& hash(RootIndex /*root*/) const override { return hash_; }
     [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const override {
-        return blocks_[root].bytes;
+        return root == top_root ? top_.bytes : blocks_[root].bytes;
     }
     [[nodiscard]] Result<SubtreeBlock> read(RootIndex root) const override { return block(root); }
     [[nodiscard]] SubtreeBlock block(RootIndex root) const override { return {root, hash_, {}}; }
 
   private:
     const std::vector<BlockCost>& blocks_;
+    const BlockCost& top_;
     Sha256 hash_;
 };
 
@@ -105,8 +108,9 @@ class SketchGeometry final : public Geometry {
 
     [[nodiscard]] StoreResult<JobGeometry> prepare(const Submit& /*submit*/) override {
         JobGeometry geometry;
-        for (const auto& tree : workload_.trees) {
-            geometry.cuts.push_back(std::make_shared<SketchCut>(tree));
+        for (std::size_t tree = 0; tree < workload_.trees.size(); ++tree) {
+            geometry.cuts.push_back(
+                std::make_shared<SketchCut>(workload_.trees[tree], workload_.tops[tree]));
         }
         geometry.analysis.sketch = analyse_;
         return geometry;
@@ -152,7 +156,7 @@ class SketchJournal final : public Journal {
 };
 
 /// A connection to a worker that passes each message to a function. The worker is never silent: at
-/// each look more bytes have come from it.
+/// each look more bytes have come from it. Aborts if the master cuts the worker off.
 class SketchChannel final : public Channel {
   public:
     explicit SketchChannel(std::function<void(const Message&)> send) : send_(std::move(send)) {}
@@ -167,7 +171,7 @@ class SketchChannel final : public Channel {
     [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t /*bytes*/) override {
         co_return;
     }
-    void close(bool /*flush*/) override {}
+    void close(bool /*flush*/) override { CD_CHECK(false); }
     [[nodiscard]] bool is_open() const override { return true; }
     [[nodiscard]] asio::awaitable<void> wait_until_closed() override { co_return; }
     [[nodiscard]] const Traffic& traffic() const override {

@@ -1,7 +1,7 @@
 // The strategies compared in the experiments, one line each.
 #pragma once
 
-#include "proto/messages/cluster_options.hpp"
+#include "bench/cluster/model/policies.hpp"
 
 #include <array>
 #include <string>
@@ -17,9 +17,11 @@ struct ComparedStrategy {
     /// Chooses among waiting scenarios: then as many wait as in the product, whatever the setting.
     bool sees_queue;
     bool peers = false; ///< Workers send each other blocks.
+    Variation variation = Variation::None;
 
     [[nodiscard]] std::string name() const {
-        return std::string(strategy) + (peers ? "+peers" : "");
+        return std::string(variation == Variation::Blind ? "blind " : "") + std::string(strategy) +
+               (variation == Variation::ClientFirst ? "-pull" : "") + (peers ? "+peers" : "");
     }
 };
 
@@ -30,6 +32,14 @@ inline constexpr std::array compared_strategies{
     ComparedStrategy{"lowest", true, false},
     ComparedStrategy{"best-match-pull", true, true},
     ComparedStrategy{"earliest-finish", false, true},
+    ComparedStrategy{"earliest-finish", false, true, true},
+};
+
+/// The paper's strategies in the client-first form of its section 5.1, beside ours.
+inline constexpr std::array client_first_strategies{
+    ComparedStrategy{"best-match-pull", true, true},
+    ComparedStrategy{"random", true, true, false, Variation::ClientFirst},
+    ComparedStrategy{"lowest", true, true, false, Variation::ClientFirst},
     ComparedStrategy{"earliest-finish", false, true, true},
 };
 

@@ -4,6 +4,7 @@
 #include "common/core/limits/worker.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cd::bench {
@@ -11,23 +12,40 @@ namespace cd::bench {
 WorkerModel::WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes)
     : id_(id), workload_(workload), cache_bytes_(cache_bytes) {
     for (std::size_t tree = 0; tree < slots_.size(); ++tree) {
-        slots_[tree].resize(workload.trees[tree].size(), Slot::Absent);
+        slots_[tree].resize(workload.trees[tree].size() + 1, Slot::Absent);
     }
 }
 
 Messages WorkerModel::take(const WorkUnit& unit) {
+    Task& task = tasks_[unit.task];
+    task.job = unit.job;
+    task.open = unit.count;
+    task.first = unit.first;
+    task.kept = unit.count;
+    task.is_range = unit.scenarios.empty();
+    if (!task.is_range || (has({0, top_root}) && has({1, top_root}))) {
+        return by_tree<WantSubtrees>(begin(unit));
+    }
+    ranges_.push_back(unit);
     std::vector<BlockId> wanted;
-    tasks_[unit.task].open = unit.count;
-    tasks_[unit.task].job = unit.job;
+    for (const BlockId top : {BlockId{0, top_root}, BlockId{1, top_root}}) {
+        if (slot(top) == Slot::Absent) {
+            want(top, wanted);
+        }
+    }
+    return by_tree<WantSubtrees>(std::move(wanted));
+}
+
+std::vector<BlockId> WorkerModel::begin(const WorkUnit& unit) {
+    std::vector<BlockId> wanted;
     for (const std::uint64_t scenario : scenarios_in(unit)) {
         std::size_t missing = 0;
         for (const BlockId& block : workload_.scenario(scenario).blocks) {
-            Slot& slot = slots_[block.tree][block.root];
             pin(block);
-            if (slot == Slot::Here) {
+            if (has(block)) {
                 continue;
             }
-            if (slot == Slot::Absent) {
+            if (slot(block) == Slot::Absent) {
                 want(block, wanted);
             }
             waiting_for_[block].push_back(scenario);
@@ -39,7 +57,7 @@ Messages WorkerModel::take(const WorkUnit& unit) {
             ready_.push_back(scenario);
         }
     }
-    return by_tree<WantSubtrees>(std::move(wanted));
+    return wanted;
 }
 
 void WorkerModel::take(const Hint& hint) {
@@ -58,7 +76,7 @@ Messages WorkerModel::ahead() {
         const std::uint64_t bytes =
             memory_bytes_ + wanted_bytes_ + workload_.block(block).memory_bytes;
         const bool has_room = cache_bytes_ == 0 || bytes <= cache_bytes_;
-        if (has_room && slots_[block.tree][block.root] == Slot::Absent) {
+        if (has_room && slot(block) == Slot::Absent) {
             want(block, wanted);
         }
     }
@@ -66,7 +84,7 @@ Messages WorkerModel::ahead() {
 }
 
 void WorkerModel::want(const BlockId& block, std::vector<BlockId>& wanted) {
-    slots_[block.tree][block.root] = Slot::Wanted;
+    slot(block) = Slot::Wanted;
     wanted_bytes_ += workload_.block(block).memory_bytes;
     wanted.push_back(block);
 }
@@ -75,6 +93,9 @@ Recalled WorkerModel::take(const Recall& recall) {
     const auto task = tasks_.find(recall.task);
     if (task == tasks_.end()) {
         return {recall.task, {}, 0};
+    }
+    if (task->second.is_range) {
+        return {recall.task, {}, keep_first(recall.task, recall.kept)};
     }
     for (const std::uint64_t scenario : recall.scenarios) {
         const auto place = scenarios_.find(scenario);
@@ -86,6 +107,20 @@ Recalled WorkerModel::take(const Recall& recall) {
     }
     const auto& given_back = task->second.given_back;
     return {recall.task, {given_back.begin(), given_back.end()}, 0};
+}
+
+std::uint64_t WorkerModel::keep_first(TaskId id, std::uint64_t kept) {
+    Task& task = tasks_.at(id);
+    const bool waits = std::ranges::find(ranges_, id, &WorkUnit::task) != ranges_.end();
+    while (!waits && task.kept > kept) {
+        const auto last = scenarios_.find(task.first + task.kept - 1);
+        if (last == scenarios_.end() || last->second.task != id || last->second.has_begun) {
+            break;
+        }
+        --task.kept;
+        drop(task.first + task.kept);
+    }
+    return task.kept;
 }
 
 bool WorkerModel::take(const DropScenario& loser) {
@@ -102,7 +137,11 @@ bool WorkerModel::take(const DropScenario& loser) {
 }
 
 void WorkerModel::drop(std::uint64_t scenario) {
-    std::erase(ready_, scenario);
+    if (!ready_.empty() && ready_.back() == scenario) {
+        ready_.pop_back(); // The last scenario of a range.
+    } else {
+        std::erase(ready_, scenario);
+    }
     for (const BlockId& block : workload_.scenario(scenario).blocks) {
         if (const auto waiting = waiting_for_.find(block); waiting != waiting_for_.end()) {
             std::erase(waiting->second, scenario);
@@ -125,7 +164,7 @@ Messages WorkerModel::opened(const Subtrees& blocks) {
     std::vector<BlockId> held;
     for (const SubtreeBlock& one : blocks.blocks) {
         const BlockId block = block_id(blocks.tree, one.root);
-        Slot& slot = slots_[block.tree][block.root];
+        Slot& slot = this->slot(block);
         // The master also sends a block that a slow peer was to give.
         if (slot != Slot::Wanted) {
             ++blocks_again_;
@@ -136,7 +175,7 @@ Messages WorkerModel::opened(const Subtrees& blocks) {
         ++received_blocks_;
         memory_bytes_ += workload_.block(block).memory_bytes;
         wanted_bytes_ -= workload_.block(block).memory_bytes;
-        if (cache_bytes_ != 0 && !pins_.contains(block)) {
+        if (cache_bytes_ != 0 && one.root != top_root && !pins_.contains(block)) {
             set_idle(block);
         }
         const auto waiting = waiting_for_.find(block);
@@ -151,7 +190,15 @@ Messages WorkerModel::opened(const Subtrees& blocks) {
         waiting_for_.erase(waiting);
     }
     evict();
-    return by_tree<Held>(std::move(held));
+    Messages messages = by_tree<Held>(std::move(held));
+    if (!ranges_.empty() && has({0, top_root}) && has({1, top_root})) {
+        std::vector<BlockId> wanted;
+        for (const WorkUnit& range : std::exchange(ranges_, {})) {
+            std::ranges::copy(begin(range), std::back_inserter(wanted));
+        }
+        std::ranges::move(by_tree<WantSubtrees>(std::move(wanted)), std::back_inserter(messages));
+    }
+    return messages;
 }
 
 void WorkerModel::pin(const BlockId& block) {
@@ -185,7 +232,7 @@ void WorkerModel::evict() {
         const BlockId block = idle_.begin()->second;
         idle_.erase(idle_.begin());
         last_use_.erase(block);
-        slots_[block.tree][block.root] = Slot::Absent;
+        slot(block) = Slot::Absent;
         memory_bytes_ -= workload_.block(block).memory_bytes;
         evicted_.push_back(block);
     }

@@ -18,6 +18,7 @@ namespace cd::bench {
 /// Requests each block once and keeps it: the paper's clients never drop a subtree. With a cache
 /// limit, evicts blocks that no scenario waits for or uses, least recently used first. A scenario
 /// is ready when its blocks are here; ready scenarios run in the order in which they became ready.
+/// A range waits until both upper trees are here, which are never evicted.
 class WorkerModel {
   public:
     /// The workload must outlive the model. `cache_bytes`: limit of memory; 0: none.
@@ -30,7 +31,8 @@ class WorkerModel {
     /// Returns requests for hinted blocks, when nothing is needed at once, within the product's
     /// limits.
     Messages ahead();
-    /// Returns all returned scenarios of the task, ascending.
+    /// Returns all returned scenarios of the task, ascending, or the number of first scenarios that
+    /// a range keeps.
     Recalled take(const Recall& recall);
     /// Returns true if the scenario runs here and may stop.
     [[nodiscard]] bool take(const DropScenario& loser);
@@ -43,9 +45,7 @@ class WorkerModel {
     /// Reports the blocks evicted since the last call.
     Messages evicted() { return by_tree<Evicted>(std::exchange(evicted_, {})); }
 
-    [[nodiscard]] bool has(const BlockId& block) const {
-        return slots_[block.tree][block.root] == Slot::Here;
-    }
+    [[nodiscard]] bool has(const BlockId& block) const { return slot(block) == Slot::Here; }
     [[nodiscard]] std::size_t ready_count() const { return ready_.size(); }
     /// Removes and returns the first ready scenario.
     std::uint64_t next();
@@ -64,7 +64,10 @@ class WorkerModel {
     enum class Slot : std::uint8_t { Absent, Wanted, Here };
     struct Task {
         JobId job;
-        std::uint64_t open = 0; ///< Scenarios not yet run.
+        std::uint64_t open = 0;  ///< Scenarios not yet run.
+        std::uint64_t first = 0; ///< Of a range.
+        std::uint64_t kept = 0;  ///< Of a range: number of scenarios that were not returned.
+        bool is_range = false;
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
         double compute_seconds = 0; ///< Time of the unsent results.
@@ -77,6 +80,18 @@ class WorkerModel {
         bool is_called_off = false;
     };
 
+    /// Of the upper tree if the root is `top_root`.
+    [[nodiscard]] const Slot& slot(const BlockId& block) const {
+        const auto& slots = slots_[block.tree];
+        return block.root == top_root ? slots.back() : slots[block.root];
+    }
+    [[nodiscard]] Slot& slot(const BlockId& block) {
+        return const_cast<Slot&>(std::as_const(*this).slot(block)); // NOLINT: the same in both.
+    }
+    /// Adds the scenarios of the unit, and returns the blocks to request.
+    std::vector<BlockId> begin(const WorkUnit& unit);
+    /// Returns the last scenarios of a range, up to one that has begun. Returns the number kept.
+    std::uint64_t keep_first(TaskId task, std::uint64_t kept);
     /// Removes a scenario that has not begun from its task.
     void drop(std::uint64_t scenario);
 
@@ -96,11 +111,12 @@ class WorkerModel {
     std::uint64_t uses_ = 0;
     std::vector<BlockId> evicted_;
 
-    std::array<std::vector<Slot>, 2> slots_;
+    std::array<std::vector<Slot>, 2> slots_; ///< By root; the last is the upper tree's.
     /// Scenarios that wait for the block.
     std::map<BlockId, std::vector<std::uint64_t>> waiting_for_;
     std::map<std::uint64_t, Waiting> scenarios_; ///< Scenarios not yet run.
     std::deque<std::uint64_t> ready_;
+    std::vector<WorkUnit> ranges_; ///< Ranges that wait for the upper trees.
     std::map<TaskId, Task> tasks_;
     std::deque<BlockId> hinted_; ///< Hinted blocks, not yet requested.
     std::uint64_t memory_bytes_ = 0;

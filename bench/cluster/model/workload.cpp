@@ -4,6 +4,7 @@
 #include "master/dispatch/cost_model.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <random>
 
@@ -15,6 +16,8 @@ const PaperTable paper_table_cars{
     {545, 1089, 1634, 2178, 2723}, {326, 642, 969, 1308, 1618}, {532, 1045, 1580, 2132, 2636}};
 
 namespace {
+
+constexpr std::uint64_t equal_ns = 1'000'000;
 
 /// Fisher-Yates shuffle; std::shuffle differs between libraries.
 std::vector<std::size_t> order_of(std::size_t count, std::uint64_t seed) {
@@ -103,6 +106,20 @@ scenario_cost(const ScenarioTrace& from, Costs costs, double master_factor, doub
             blocks_of(from)};
 }
 
+/// Changes what the options ask to change of the trace.
+void change(Workload& workload, const WorkloadOptions& options) {
+    if (options.longest_first) {
+        std::ranges::stable_sort(workload.scenarios, std::greater(), [&](std::uint32_t cost) {
+            return workload.costs[cost].predicted_ns;
+        });
+    }
+    for (ScenarioCost& cost : workload.costs) {
+        cost.analysis_seconds =
+            options.analysis_seconds > 0 ? options.analysis_seconds : cost.analysis_seconds;
+        cost.predicted_ns = options.equal_predictions ? equal_ns : cost.predicted_ns;
+    }
+}
+
 } // namespace
 
 Workload
@@ -138,6 +155,7 @@ make_workload(const Trace& trace, const PaperTable& table, const WorkloadOptions
         const WholeTrace& whole = trace.whole[from];
         workload.serial_seconds += work * (is_paper ? whole.binary_seconds : whole.seconds);
     }
+    change(workload, options);
     return workload;
 }
 

@@ -36,6 +36,8 @@ struct ScenarioCost {
 
 struct Workload {
     std::array<std::vector<BlockCost>, 2> trees;
+    /// Upper trees, which workers need only for scenarios that the master has not analysed.
+    std::array<BlockCost, 2> tops;
     std::vector<ScenarioCost> costs;
     /// Index into `costs` of each scenario, in submitted order.
     std::vector<std::uint32_t> scenarios;
@@ -49,7 +51,7 @@ struct Workload {
         return costs[scenarios[index]];
     }
     [[nodiscard]] const BlockCost& block(const BlockId& id) const {
-        return trees[id.tree][id.root];
+        return id.root == top_root ? tops[id.tree] : trees[id.tree][id.root];
     }
 };
 
@@ -82,7 +84,10 @@ struct WorkloadOptions {
     /// Number of scenarios; 0: all of the trace. Larger numbers repeat the trace, only with
     /// measured costs.
     std::uint64_t count = 0;
-    std::uint64_t seed = 1; ///< 1 keeps the recorded order; another draws an order.
+    std::uint64_t seed = 1;         ///< 1 keeps the recorded order; another draws an order.
+    double analysis_seconds = 0;    ///< Of each scenario; 0: as the costs say.
+    bool longest_first = false;     ///< Submitted in descending order of the predictions.
+    bool equal_predictions = false; ///< The master predicts the same time for all scenarios.
 };
 
 /// The trace must have the depth. A table row applies to an equal share of a trace of another

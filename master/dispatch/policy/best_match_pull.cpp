@@ -24,7 +24,7 @@ std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
     std::vector<std::uint64_t> scores;
     scores.reserve(job.waiting.size());
     for (const std::uint64_t position : job.waiting) {
-        scores.push_back(held_triangles(context().plan, proxy.slot(), job.at(position).roots));
+        scores.push_back(score(proxy, job, position));
     }
     std::vector<std::size_t> taken = most_similar(scores, job.options.q);
     // Paper, 6.4.3: a task ends as soon as it exceeds V kB.
@@ -36,6 +36,12 @@ std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
     });
     taken.erase(end, taken.end());
     return taken;
+}
+
+std::uint64_t BestMatchPull::score(const WorkerProxy& proxy,
+                                   const DispatchJob& job,
+                                   std::uint64_t position) const {
+    return held_triangles(context().plan, proxy.slot(), job.at(position).roots);
 }
 
 std::vector<std::size_t> BestMatchPull::most_similar(std::span<const std::uint64_t> scores,

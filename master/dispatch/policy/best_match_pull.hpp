@@ -10,7 +10,7 @@
 
 namespace cd {
 
-class BestMatchPull final : public MatchingPolicy {
+class BestMatchPull : public MatchingPolicy {
   public:
     using MatchingPolicy::MatchingPolicy;
 
@@ -37,6 +37,11 @@ class BestMatchPull final : public MatchingPolicy {
     /// The indices of the `count` highest scores, ascending. Ties go to the smaller index.
     [[nodiscard]] static std::vector<std::size_t>
     most_similar(std::span<const std::uint64_t> scores, std::size_t count);
+
+  protected:
+    /// Similarity of the waiting scenario at the position to the worker.
+    [[nodiscard]] virtual std::uint64_t
+    score(const WorkerProxy& proxy, const DispatchJob& job, std::uint64_t position) const;
 };
 
 } // namespace cd

@@ -13,7 +13,7 @@
 
 namespace cd {
 
-class EarliestFinish final : public MatchingPolicy {
+class EarliestFinish : public MatchingPolicy {
   public:
     using MatchingPolicy::MatchingPolicy;
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -142,6 +143,58 @@ TEST(ClusterModels, AWorkerGivesBackWhatItHasNotBegun) {
     EXPECT_TRUE(worker.take(DropScenario{{}, 0, TaskId{7}}));
     worker.ran(begun, 1.0, 0.5);
     EXPECT_EQ(results_in(worker.due(1.0, 1)), std::pair(std::size_t{0}, true));
+}
+
+/// The range [first, first + count) as the task 9.
+WorkUnit range_of(std::uint64_t first, std::uint64_t count) {
+    WorkUnit unit;
+    unit.task = TaskId{9};
+    unit.first = first;
+    unit.count = count;
+    return unit;
+}
+
+TEST(ClusterModels, ARangeWaitsForTheUpperTreesAndThenForItsBlocks) {
+    const Workload workload = make_synthetic_workload(2, 4);
+    WorkerModel worker(WorkerId{1}, workload);
+    const Messages tops = worker.take(range_of(1, 3));
+    ASSERT_EQ(tops.size(), 2u) << "one of each body";
+    for (const Message& message : tops) {
+        EXPECT_EQ(std::get<WantSubtrees>(message).roots, (std::vector<RootIndex>{top_root}));
+    }
+    const auto answered = answers(tops);
+    EXPECT_EQ(worker.opened(answered[0]).size(), 1u) << "it says what it holds";
+    Messages wanted = worker.opened(answered[1]);
+    ASSERT_EQ(worker.ready_count(), 0u);
+    ASSERT_TRUE(std::holds_alternative<Held>(wanted.front()));
+    wanted.erase(wanted.begin());
+    for (const Subtrees& blocks : answers(wanted)) {
+        (void)worker.opened(blocks);
+    }
+    EXPECT_EQ(worker.ready_count(), 3u);
+}
+
+TEST(ClusterModels, ARangeKeepsItsFirstScenariosAndThoseThatHaveBegun) {
+    const Workload workload = make_synthetic_workload(2, 6);
+    WorkerModel worker(WorkerId{1}, workload);
+    const Messages tops = worker.take(range_of(0, 6));
+    EXPECT_EQ(worker.take(Recall{TaskId{9}, {}, 1}).kept, 6u) << "it has not begun";
+    Messages wanted;
+    for (const Subtrees& top : answers(tops)) {
+        wanted = worker.opened(top);
+    }
+    wanted.erase(wanted.begin());
+    for (const Subtrees& blocks : answers(wanted)) {
+        (void)worker.opened(blocks);
+    }
+    ASSERT_EQ(worker.ready_count(), 6u);
+    const std::uint64_t first = worker.next();
+    const std::uint64_t second = worker.next();
+    EXPECT_EQ(worker.take(Recall{TaskId{9}, {}, 4}).kept, 4u);
+    EXPECT_EQ(worker.ready_count(), 2u);
+    const std::uint64_t kept = worker.take(Recall{TaskId{9}, {}, 0}).kept;
+    EXPECT_EQ(kept, std::max(first, second) + 1);
+    EXPECT_EQ(worker.ready_count(), kept - 2);
 }
 
 } // namespace

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 namespace cd::tests {
 namespace {
 
@@ -56,6 +59,38 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
             EXPECT_EQ(first->master_seconds, second->master_seconds);
         }
     }
+}
+
+TEST(ClusterSimulation, ClientsThatChooseByLikenessGetFewerBytes) {
+    const Workload workload = make_synthetic_workload(5, 300);
+    SimulationOptions options = small_cluster();
+    options.dispatch.claim = true;
+    options.variation = Variation::ClientFirst;
+    std::map<std::string, std::uint64_t> bytes;
+    for (const std::string strategy : {"best-match", "random", "lowest"}) {
+        options.dispatch.strategy = strategy;
+        options.ahead = 0;
+        const auto outcome = simulate_apart(workload, options, limit);
+        ASSERT_TRUE(outcome) << strategy;
+        EXPECT_EQ(outcome->answered, workload.count());
+        bytes[strategy] = outcome->block_bytes;
+    }
+    EXPECT_LT(bytes["best-match"], bytes["random"]);
+    EXPECT_LE(bytes["random"], bytes["lowest"]);
+}
+
+TEST(ClusterSimulation, MatchingWithoutEyesForBlocksSendsMore) {
+    const Workload workload = make_synthetic_workload(6, 300);
+    SimulationOptions options = small_cluster();
+    options.ahead = 0;
+    options.cluster.bytes_per_second = 1e6;
+    options.dispatch.strategy = "earliest-finish";
+    const auto seeing = simulate_apart(workload, options, limit);
+    options.variation = Variation::Blind;
+    const auto blind = simulate_apart(workload, options, limit);
+    ASSERT_TRUE(seeing && blind);
+    EXPECT_EQ(blind->answered, workload.count());
+    EXPECT_LT(seeing->block_bytes, blind->block_bytes);
 }
 
 TEST(ClusterSimulation, ASlowWireAndASlowPipeTakeTheirTime) {

@@ -53,6 +53,32 @@ TEST(LargeCluster, IsWholeWithinItsBoundsAndTheSameEachTime) {
     }
 }
 
+TEST(LargeCluster, RangesAreWholeAndEachBlockLeavesTheMasterOnce) {
+    Workload workload = make_synthetic_workload(9, 20'000);
+    workload.tops = {{{0, 5000, 0, 0}, {0, 3000, 0, 0}}};
+    workload.geometry_bytes += 8000;
+    for (ScenarioCost& cost : workload.costs) {
+        cost.work_seconds *= 0.05;
+    }
+    workload.serial_seconds *= 0.05;
+    LargeOptions options = some_hosts("earliest-finish", true);
+    options.threads = 4;
+    options.analysis = AnalysisMode::Never;
+    options.at_once_seconds = 0.001;
+    options.result_seconds = 1e-6;
+    const LargeOutcome first = simulate_large(workload, options);
+    const LargeOutcome second = simulate_large(workload, options);
+    EXPECT_EQ(first.answered, workload.count());
+    EXPECT_EQ(first.uploads_max, 1u);
+    EXPECT_EQ(first.block_bytes, workload.geometry_bytes);
+    EXPECT_EQ(first.seconds, second.seconds);
+    const double power = 4 * std::accumulate(options.speeds.begin(), options.speeds.end(), 0.0);
+    EXPECT_GT(first.seconds, workload.serial_seconds / power);
+    EXPECT_LT(first.seconds, 2 * workload.serial_seconds / power);
+    options.peers = false;
+    EXPECT_EQ(simulate_large(workload, options).uploads_max, options.speeds.size());
+}
+
 TEST(LargeCluster, BlocksThatDoNotFitComeAgain) {
     const Workload workload = make_synthetic_workload(8, 1000);
     for (const bool peers : {false, true}) {

@@ -106,5 +106,25 @@ TEST(Workload, MeasuredCostsGoThroughTheTraceAgainAndAgain) {
     EXPECT_EQ(once.geometry_bytes, 900u + 1300u + 200u + 400u);
 }
 
+TEST(Workload, TheOrderThePredictionsAndTheAnalysisCanBeSet) {
+    Trace trace = make_trace(50);
+    for (std::size_t i = 0; i < 50; ++i) {
+        trace.depths.front().scenarios[i].meeting_size = static_cast<double>((7 * i) % 50);
+    }
+    WorkloadOptions options{Costs::Measured, 10, 0, 2};
+    options.longest_first = true;
+    options.analysis_seconds = 0.5;
+    const Workload sorted = make_workload(trace, paper_table_heavy, options);
+    for (std::uint64_t i = 1; i < sorted.count(); ++i) {
+        EXPECT_GE(sorted.scenario(i - 1).predicted_ns, sorted.scenario(i).predicted_ns);
+        EXPECT_EQ(sorted.scenario(i).analysis_seconds, 0.5);
+    }
+    EXPECT_GT(sorted.scenario(0).predicted_ns, sorted.scenario(49).predicted_ns);
+    options.equal_predictions = true;
+    const Workload equal = make_workload(trace, paper_table_heavy, options);
+    EXPECT_EQ(equal.scenario(0).predicted_ns, equal.scenario(49).predicted_ns);
+    EXPECT_EQ(equal.scenario(7).work_seconds, sorted.scenario(7).work_seconds);
+}
+
 } // namespace
 } // namespace cd::tests

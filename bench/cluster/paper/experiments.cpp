@@ -1,4 +1,4 @@
-#include "bench/cluster/model/experiments.hpp"
+#include "bench/cluster/paper/experiments.hpp"
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
@@ -12,6 +12,8 @@
 namespace cd::bench {
 
 namespace {
+
+constexpr double fitted_analysis_seconds = 0.003;
 
 const std::vector<std::string> columns{"setting",
                                        "scene",
@@ -49,11 +51,6 @@ double megabytes(std::uint64_t bytes) {
     return 1e-6 * static_cast<double>(bytes);
 }
 
-/// Returns the paper's weighted serial time (7.1) relative to that of a fast core.
-double weighted_ratio(const ClusterSpec& cluster, double slow_ratio) {
-    return (cluster.fast_cores + cluster.slow_cores * slow_ratio) / cluster.cores();
-}
-
 std::vector<std::string> row_of(const Setting& setting,
                                 const Scene& scene,
                                 const Point& point,
@@ -65,7 +62,7 @@ std::vector<std::string> row_of(const Setting& setting,
     cluster.fast_cores = point.fast_cores;
     cluster.slow_cores = point.slow_cores;
     const double bound = cluster.weighted_cores(workload.slow_ratio);
-    const double weight = weighted_ratio(cluster, workload.slow_ratio);
+    const double weight = cluster.weighted_ratio(workload.slow_ratio);
     const double speedup = workload.serial_seconds / outcome.seconds;
     return {setting.name,
             scene.trace->name,
@@ -116,6 +113,15 @@ Setting fitted_setting(double pipe_bytes_per_second) {
     return setting;
 }
 
+Setting client_first_setting(double pipe_bytes_per_second) {
+    Setting setting = fitted_setting(pipe_bytes_per_second);
+    setting.name = "client-first";
+    setting.analysis_seconds = fitted_analysis_seconds;
+    setting.is_client_first = true;
+    setting.seeds_max = 2;
+    return setting;
+}
+
 Setting measured_setting() {
     Setting setting;
     setting.name = "measured";
@@ -138,12 +144,41 @@ std::vector<T> Experiments::series(std::vector<T> all) const {
     return options_.quick ? std::vector<T>{all.front(), all[all.size() / 2], all.back()} : all;
 }
 
+std::vector<ComparedStrategy> Setting::strategies() const {
+    if (is_client_first) {
+        return {client_first_strategies.begin(), client_first_strategies.end()};
+    }
+    return {compared_strategies.begin(), compared_strategies.end()};
+}
+
+SimulationOptions Setting::options_for(const ComparedStrategy& strategy,
+                                       const Point& point,
+                                       std::uint64_t seed) const {
+    SimulationOptions filled = options;
+    filled.cluster.fast_cores = point.fast_cores;
+    filled.cluster.slow_cores = point.slow_cores;
+    filled.dispatch.strategy = strategy.strategy;
+    filled.dispatch.q = point.q;
+    // The paper's V is a share of the master's memory, far above any batch of scenarios.
+    filled.dispatch.v_kb = limits::v_kb_max;
+    filled.dispatch.claim = may_claim && strategy.claims;
+    filled.dispatch.seed = seed;
+    filled.variation = strategy.variation;
+    filled.peers = strategy.peers;
+    if (strategy.sees_queue) {
+        filled.ahead = 0;
+    }
+    return filled;
+}
+
 void Experiments::run(const Setting& setting, const Scene& scene, const Point& point) {
-    best_match_seconds_ = 0;
-    for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
+    best_seconds_ = 0;
+    for (std::uint64_t seed = 1; seed <= options_.seeds_of(setting); ++seed) {
         const Workload workload = make_workload(
-            *scene.trace, *scene.table, {setting.costs, point.depth, point.count, seed});
-        for (const ComparedStrategy& strategy : compared_strategies) {
+            *scene.trace,
+            *scene.table,
+            {setting.costs, point.depth, point.count, seed, setting.analysis_seconds});
+        for (const ComparedStrategy& strategy : setting.strategies()) {
             const auto outcome = simulate_one(setting, scene, workload, strategy, point, seed);
             if (!outcome) {
                 std::fprintf(stderr,
@@ -156,17 +191,18 @@ void Experiments::run(const Setting& setting, const Scene& scene, const Point& p
                 continue;
             }
             csv_.row(row_of(setting, scene, point, strategy, seed, workload, *outcome));
-            if (strategy.strategy == "best-match") {
-                best_match_seconds_ += outcome->seconds / static_cast<double>(seeds(setting));
+            if (strategy.name() == setting.best()) {
+                best_seconds_ += outcome->seconds / static_cast<double>(options_.seeds_of(setting));
             }
         }
     }
-    std::printf("%s, %s: %s %g: best-match %.4g s\n",
+    std::printf("%s, %s: %s %g: %s %.4g s\n",
                 setting.name.c_str(),
                 scene.trace->name.c_str(),
                 point.experiment.c_str(),
                 point.x,
-                best_match_seconds_);
+                setting.best(),
+                best_seconds_);
     std::fflush(stdout);
 }
 
@@ -176,19 +212,7 @@ std::optional<Outcome> Experiments::simulate_one(const Setting& setting,
                                                  const ComparedStrategy& strategy,
                                                  const Point& point,
                                                  std::uint64_t seed) {
-    SimulationOptions options = setting.options;
-    options.cluster.fast_cores = point.fast_cores;
-    options.cluster.slow_cores = point.slow_cores;
-    options.dispatch.strategy = strategy.strategy;
-    options.dispatch.q = point.q;
-    // The paper's V is a share of the master's memory, far above any batch of scenarios.
-    options.dispatch.v_kb = limits::v_kb_max;
-    options.dispatch.claim = setting.may_claim && strategy.claims;
-    options.dispatch.seed = seed;
-    options.peers = strategy.peers;
-    if (strategy.sees_queue) {
-        options.ahead = 0;
-    }
+    SimulationOptions options = setting.options_for(strategy, point, seed);
     if (setting.costs == Costs::Measured) {
         options.dispatch_seconds = dispatch_seconds(scene, workload, point, options);
     }
@@ -262,8 +286,8 @@ Experiments::vary_depth(const Setting& setting, const Scene& scene, std::uint64_
         point.count = count;
         point.depth = depth;
         run(setting, scene, point);
-        if (best_seconds == 0 || best_match_seconds_ < best_seconds) {
-            best_seconds = best_match_seconds_;
+        if (best_seconds == 0 || best_seconds_ < best_seconds) {
+            best_seconds = best_seconds_;
             best_depth = depth;
         }
     }
@@ -299,98 +323,32 @@ void Experiments::vary_cores(const Setting& setting, const Scene& scene, std::ui
     }
 }
 
-void Experiments::compare_additions(const std::vector<Setting>& settings, const Scene& scene) {
-    CsvFile csv(options_.out / "additions.csv",
-                {"setting",
-                 "scene",
-                 "depth",
-                 "slow_ratio",
-                 "bits_per_second",
-                 "peers",
-                 "hints",
-                 "helps",
-                 "seed",
-                 "seconds",
-                 "speedup",
-                 "bound",
-                 "tail_share",
-                 "recalled",
-                 "copies"});
-    const auto yes_or_no = [](bool is) { return std::string(is ? "yes" : "no"); };
-    const auto compare = [&](const Setting& setting,
-                             const Workload& workload,
-                             std::uint64_t seed,
-                             double bytes_per_second) {
-        SimulationOptions options = setting.options;
-        options.ahead = 0;
-        options.dispatch.strategy = "earliest-finish";
-        options.dispatch.v_kb = limits::v_kb_max;
-        options.cluster.bytes_per_second = bytes_per_second;
-        for (const bool peers : {false, true}) {
-            for (const auto& [hints, helps] :
-                 {std::pair(false, false), std::pair(false, true), std::pair(true, true)}) {
-                options.peers = peers;
-                options.dispatch.hints = hints;
-                options.helps_at_end = helps;
-                if (const auto outcome = simulate_apart(workload, options, options_.limit)) {
-                    csv.row({setting.name,
-                             scene.trace->name,
-                             std::to_string(scene.depth),
-                             cell(workload.slow_ratio),
-                             cell(8 * options.cluster.bytes_per_second),
-                             yes_or_no(peers),
-                             yes_or_no(hints),
-                             yes_or_no(helps),
-                             cell(seed),
-                             cell(outcome->seconds),
-                             cell(workload.serial_seconds / outcome->seconds),
-                             cell(options.cluster.weighted_cores(workload.slow_ratio)),
-                             cell(outcome->tail_share),
-                             cell(outcome->recalled),
-                             cell(outcome->copies)});
-                }
-            }
-        }
-    };
-    for (const Setting& setting : settings) {
-        for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
-            Workload workload =
-                make_workload(*scene.trace, *scene.table, {setting.costs, scene.depth, 0, seed});
-            const double slow_ratio = workload.slow_ratio;
-            for (const auto& [ratio, bytes_per_second] : {std::pair(slow_ratio, 125e6),
-                                                          std::pair(10.0, 125e6),
-                                                          std::pair(slow_ratio, 12.5e6)}) {
-                workload.slow_ratio = ratio;
-                compare(setting, workload, seed, bytes_per_second);
-            }
-        }
-    }
-}
-
 double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
     Point point;
     point.depth = scene.depth;
     double sum = 0;
-    for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
+    for (std::uint64_t seed = 1; seed <= options_.seeds_of(setting); ++seed) {
         const Workload workload =
-            make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
-        const auto outcome =
-            simulate_one(setting, scene, workload, {"lowest", true, false}, point, seed);
+            make_workload(*scene.trace,
+                          *scene.table,
+                          {setting.costs, point.depth, 0, seed, setting.analysis_seconds});
+        const auto outcome = simulate_one(setting, scene, workload, setting.lowest(), point, seed);
         sum += outcome ? outcome->seconds : 0;
     }
-    return sum / static_cast<double>(seeds(setting));
+    return sum / static_cast<double>(options_.seeds_of(setting));
 }
 
-std::optional<double> Experiments::fit_pipe(const Scene& scene, double seconds) {
+std::optional<double>
+Experiments::fit_pipe(Setting (*setting_of)(double), const Scene& scene, double seconds) {
     // Bisects on a logarithmic scale, to within 1 %.
     double slow = 1e6;
     double fast = 1e9;
-    if (mean_lowest(fitted_setting(fast), scene) > seconds) {
+    if (mean_lowest(setting_of(fast), scene) > seconds) {
         return std::nullopt;
     }
     while (fast / slow > 1.01) {
         const double rate = std::sqrt(slow * fast);
-        (mean_lowest(fitted_setting(rate), scene) > seconds ? slow : fast) = rate;
+        (mean_lowest(setting_of(rate), scene) > seconds ? slow : fast) = rate;
     }
     return std::sqrt(slow * fast);
 }
