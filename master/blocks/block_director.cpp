@@ -64,6 +64,10 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
         index_.add_hold(worker, block);
+        // Whom the worker could serve once it had the block, it can serve now.
+        if (index_.at(worker).holds.contains(block)) {
+            event.less_hope.erase(block);
+        }
     }
     return settle(std::move(event));
 }
@@ -378,8 +382,14 @@ void BlockDirector::rescue(const BlockKey& block, Event& event) {
     if (found == index_.blocks().end()) {
         return;
     }
-    const auto awaited_by = found->second.awaited_by;
-    for (const auto& [place, worker] : awaited_by) {
+    std::vector<WorkerId> hopeless;
+    for (const auto& [place, worker] : found->second.awaited_by) {
+        if (!index_.is_worth_waiting(found->second, worker)) {
+            hopeless.push_back(worker);
+        }
+    }
+    for (const WorkerId worker : hopeless) {
+        // The master may have begun to send the block to a worker that can serve this one.
         if (!index_.is_worth_waiting(found->second, worker)) {
             send_from_master(worker, block, event);
         }
