@@ -115,6 +115,14 @@ JobFacts Cluster::submit(const Mesh& a,
     return send(job, priority, *connection);
 }
 
+JobFacts Cluster::set_priority(const std::string& id,
+                               std::int32_t priority,
+                               const cd::StopCheck& stop) const {
+    cd::ConnectedJob job = taken(cd::open_job(master_, id, stop));
+    job.status = taken(job.connection->set_priority(job.status.job, priority));
+    return facts_of(job);
+}
+
 JobFacts Cluster::cancel(const std::string& id, const cd::StopCheck& stop) const {
     cd::ConnectedJob job = taken(cd::open_job(master_, id, stop));
     job.status = taken(job.connection->cancel(job.status.job));

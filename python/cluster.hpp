@@ -72,6 +72,9 @@ class Cluster {
                                   const std::string& name,
                                   std::int32_t priority,
                                   const cd::StopCheck& stop) const;
+    /// Changes the priority of a job that has not ended.
+    [[nodiscard]] JobFacts
+    set_priority(const std::string& id, std::int32_t priority, const cd::StopCheck& stop) const;
     /// Cancels a job unless it has ended.
     [[nodiscard]] JobFacts cancel(const std::string& id, const cd::StopCheck& stop) const;
 

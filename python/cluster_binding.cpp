@@ -88,6 +88,11 @@ void define_cluster(py::module_& module) {
                  const SignalStop stop;
                  return stop.run([&] { return cluster.submit(job, priority, stop.check()); });
              })
+        .def("set_priority",
+             [](const Cluster& cluster, const std::string& id, std::int32_t priority) {
+                 const SignalStop stop;
+                 return stop.run([&] { return cluster.set_priority(id, priority, stop.check()); });
+             })
         .def("cancel",
              [](const Cluster& cluster, const std::string& id) {
                  const SignalStop stop;

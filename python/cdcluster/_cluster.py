@@ -70,6 +70,12 @@ class ClusterJob:
         return Results(self._cluster.results(number, partial),
                        lambda folder, overwrite: self._cluster.save(number, folder, overwrite))
 
+    def set_priority(self, priority):
+        """Changes the priority of the job, -10 to 10, which must not have ended. Returns its progress."""
+        facts = self._cluster.set_priority(str(self.number), priority)
+        self.priority = facts.priority
+        return _progress(facts)
+
     def cancel(self):
         """Cancels the job unless it has ended. Returns its last progress."""
         return _progress(self._cluster.cancel(str(self.number)))

@@ -216,6 +216,12 @@ def test_a_job_has_the_priority_that_is_given(cluster, body, tmp_path):
     assert job.priority == cluster.job(job.id).priority == -4
     scene_files(tmp_path, body)
     assert cluster.submit(PAIR, folder=tmp_path, priority=7).priority == 7
+    job = long_job(cluster, body)
+    assert job.set_priority(-6).state == "running"
+    assert job.priority == cluster.job(job.id).priority == -6
+    job.cancel()
+    with pytest.raises(cd.RefusedError, match="has ended"):
+        job.set_priority(2)
     with pytest.raises(cd.InputError, match="the priority is 11 and may be -10 to 10"):
         cluster.submit(body, body, poses(5), quat_order="wxyz", priority=11)
 

@@ -63,6 +63,8 @@ TEST(Completion, FilesAndJobsAreWantedWhereTheyAreTaken) {
     EXPECT_FALSE(completed({"watch", ""}).has_files);
     EXPECT_EQ(completed({"watch", "j-5"}).job_begin, "j-5");
     EXPECT_FALSE(completed({"explain", "j-5", ""}).job_begin) << "a scenario's number";
+    EXPECT_EQ(completed({"priority", "j-5"}).job_begin, "j-5");
+    EXPECT_FALSE(completed({"priority", "j-5", ""}).job_begin) << "a number";
     EXPECT_EQ(completed({"rm", "j-1", "j-5"}).job_begin, "j-5");
     EXPECT_EQ(completed({"diff", "out", "j-5"}).job_begin, "j-5");
     EXPECT_TRUE(completed({"diff", "out", "j-5"}).has_files);

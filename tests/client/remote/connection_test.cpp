@@ -275,6 +275,19 @@ TEST(Connection, OneScenarioIsCancelledByItsNumber) {
     EXPECT_EQ(master.received_of<Cancel>()[0].scenario, 17u);
 }
 
+TEST(Connection, APriorityIsAskedForByItsJob) {
+    FakeMaster master(welcoming([](const Message&) -> Answers {
+        JobStatus status;
+        status.turn.priority = -4;
+        return std::vector<Message>{status};
+    }));
+    const auto status = open(master)->set_priority(JobId{5}, -4);
+    ASSERT_TRUE(status) << status.error().detail;
+    EXPECT_EQ(status.value().turn.priority, -4);
+    EXPECT_EQ(master.received_of<SetPriority>()[0].job, JobId{5});
+    EXPECT_EQ(master.received_of<SetPriority>()[0].priority, -4);
+}
+
 TEST(Connection, AMasterThatGoesAwayIsDisconnected) {
     FakeMaster master(welcoming([](const Message&) -> Answers { return std::nullopt; }));
     const auto status = open(master)->watch(JobId{1}, [](const JobStatus&) {});
