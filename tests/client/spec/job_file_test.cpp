@@ -224,7 +224,7 @@ TEST(JobFile, AClearanceIsALengthOfAtLeastZero) {
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
     EXPECT_THAT(problem_with(random_poses + "[query]\nlevel = \"contact\"\n"),
                 HasSubstr("did you mean \"contacts\"?"));
-    EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
+    EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [\"csv\", \"hdf\"]\n"),
                 HasSubstr("format \"hdf\" is not known; this version has text, json, csv, "
                           "csv-pairs, npz, h5, vtp "
                           "and glb"));
@@ -315,7 +315,7 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     options.poses.rigid_tolerance = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--rigid-tolerance is a number"));
     options.poses.rigid_tolerance.reset();
-    options.output.formats = {"h5"};
+    options.output.formats = {"hdf"};
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("npz, h5, vtp and glb"));
     options.output.formats = {"glb"};
     options.output.dir = "out";

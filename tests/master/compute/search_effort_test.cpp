@@ -5,6 +5,7 @@
 #include "common/job/run_scenario.hpp"
 #include "common/motion/motion_bound.hpp"
 #include "common/tree/build/build.hpp"
+#include "tests/support/motions.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ class Efforts : public testing::Test {
             input_.radii.push_back(body_radius(mesh.vertices()));
         }
         input_.query.level = Level::Any;
-        scenario_.poses.b = translation_pose(3, 0.25, 0);
+        scenario_.poses = {moved_pose(Vec3::Zero()), moved_pose({3, 0.25, 0})};
     }
     std::optional<SearchEffort> effort(const StopCheck& stop = [] { return false; }) {
         input_.settler =
@@ -34,7 +35,7 @@ class Efforts : public testing::Test {
     void ask_for_motion(const Pose& to) {
         input_.query.question = Question::Motion;
         input_.query.motion = MotionQuery{0.0625, Until::Contact};
-        scenario_.to = PosePair{{}, to};
+        scenario_.to = PosePair{moved_pose(Vec3::Zero()), to};
     }
 
     ThreadPool pool_{1};
@@ -50,16 +51,16 @@ TEST_F(Efforts, ADistanceNeedsFewOfTheRootsThatAreNamed) {
     EXPECT_GT(found.roots_used, 0u);
     EXPECT_LT(found.roots_used, found.roots_named);
     EXPECT_EQ(found.cells, 0u);
-    scenario_.poses.b = translation_pose(1, 0, 0); // In contact, so all pairs may touch.
+    scenario_.poses.b = moved_pose({1, 0, 0}); // In contact, so all pairs may touch.
     const SearchEffort touching = effort().value();
     EXPECT_EQ(touching.roots_used, touching.roots_named);
 }
 
 TEST_F(Efforts, AMotionPastTheBodyTestsOneCellAndOneIntoItHalvesMany) {
-    ask_for_motion(translation_pose(3, 0.5, 0));
+    ask_for_motion(moved_pose({3, 0.5, 0}));
     EXPECT_EQ(effort().value().cells, 1u);
     EXPECT_EQ(effort().value().leaves, 1u);
-    ask_for_motion(translation_pose(0, 0.25, 0));
+    ask_for_motion(moved_pose({0, 0.25, 0}));
     const SearchEffort found = effort().value();
     EXPECT_GT(found.cells, 5u);
     EXPECT_LT(found.leaves, found.cells);
@@ -72,7 +73,7 @@ TEST_F(Efforts, NothingIsToldOfOtherQuestionsOrOfARunThatIsStopped) {
 }
 
 TEST_F(Efforts, NothingIsToldOfAMotionThatIsNone) {
-    ask_for_motion(translation_pose(3, 0.5, 0));
+    ask_for_motion(moved_pose({3, 0.5, 0}));
     scenario_.to.reset();
     EXPECT_FALSE(effort());
 }
