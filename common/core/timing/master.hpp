@@ -25,8 +25,9 @@ inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::chrono::seconds retry_after{30};
 
 // Messages of clients, and answers to them.
-/// Longest time between two messages of a client's submission.
-inline constexpr std::chrono::seconds submission_idle_max{60};
+/// Longest time between two messages of a client's submission. Between two, a client may make
+/// `limits::order_window_scenarios` random poses, which takes a slow host minutes.
+inline constexpr std::chrono::minutes submission_idle_max{10};
 /// Shortest time between two updates to a client that watches a job.
 inline constexpr std::chrono::milliseconds watch_period{200};
 /// Longest time that the master delays its answer until a cancellation is on the disk.
