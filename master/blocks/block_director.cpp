@@ -64,7 +64,8 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
         index_.add_hold(worker, block);
-        // Whom the worker could serve once it had the block, it can serve now.
+        // The worker now serves the workers that waited until it had the block, so none of them
+        // has lost a source.
         if (index_.at(worker).holds.contains(block)) {
             event.less_hope.erase(block);
         }

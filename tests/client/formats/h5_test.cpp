@@ -1,4 +1,4 @@
-// Proves that an HDF5 file appears whole or not at all, and is the same for the same arrays.
+// Tests that an HDF5 file appears only once it is complete, and that equal arrays make equal files.
 // tests/export reads such files with h5py.
 #include "client/formats/h5.hpp"
 

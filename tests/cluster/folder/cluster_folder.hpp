@@ -1,4 +1,5 @@
-// A cluster, and runs of the real cdctl into results folders, here or on its master.
+// A test fixture that starts a cluster and runs cdctl into results folders, locally or on the
+// cluster's master.
 #pragma once
 
 #include "tests/cluster/cdctl_runs.hpp"

@@ -1,5 +1,5 @@
-// Proves what is told of the search of a motion and of a distance: the cells of the time, and how
-// many of the named pairs of roots the distance needs.
+// Tests `search_effort`: it counts the cells that the search of a motion tests, and the pairs of
+// roots that the search of a distance needs.
 #include "master/compute/search_effort.hpp"
 
 #include "common/job/run_scenario.hpp"
