@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -33,7 +34,7 @@ struct ArrayLayout {
 /// has completed it; without that, nothing is left.
 class ArrayFile {
   public:
-    ArrayFile() = default;
+    explicit ArrayFile(std::filesystem::path path) : path_(std::move(path)) {}
     ArrayFile(const ArrayFile&) = delete;
     ArrayFile& operator=(const ArrayFile&) = delete;
     virtual ~ArrayFile() = default;
@@ -52,10 +53,20 @@ class ArrayFile {
     /// Completes the file. Errors: Io naming the file; Interrupted.
     [[nodiscard]] virtual Status finish() = 0;
 
+  protected:
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// Returns the name of the file while it is incomplete.
+    [[nodiscard]] std::filesystem::path temporary_path() const { return path_.string() + ".part"; }
+    [[nodiscard]] Error cannot_write(const std::string& why) const;
+    /// Flushes the temporary file to the disk and gives it its final name. Errors: Io.
+    [[nodiscard]] Status commit() const;
+
   private:
     /// Appends elements of `item` bytes, which is the size of the array's type.
     [[nodiscard]] virtual Status
     append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item) = 0;
+
+    std::filesystem::path path_;
 };
 
 /// The formats of array files, which are also the endings of their names.

@@ -1,7 +1,6 @@
 #include "client/formats/h5.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/files/disk_file.hpp"
 
 #include <hdf5.h>
 
@@ -21,7 +20,7 @@ static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 constexpr std::uint64_t chunk_bytes = 1u << 18;
 constexpr unsigned deflate_level = 1; ///< As in the zip of an NPZ.
 
-/// Guards the library, which has one state for the process.
+/// Serialises calls of the library, whose state is global.
 std::mutex& library_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -113,17 +112,16 @@ hid_t create_array(hid_t file, const ArrayLayout& layout, std::uint64_t chunk_ro
 
 } // namespace
 
-H5Writer::H5Writer(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(path_.string() + ".part") {
+H5Writer::H5Writer(std::filesystem::path path) : ArrayFile(std::move(path)) {
     const std::lock_guard lock(library_mutex());
-    file_ = create_file(temporary_);
+    file_ = create_file(temporary_path());
 }
 
 H5Writer::~H5Writer() {
     const std::lock_guard lock(library_mutex());
     static_cast<void>(close());
     std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
+    std::filesystem::remove(temporary_path(), ignored);
 }
 
 /// Closes all arrays and the file. Returns false if the library could not write all of it.
@@ -136,10 +134,6 @@ bool H5Writer::close() {
     is_good = (file_ < 0 || H5Fclose(file_) >= 0) && is_good;
     file_ = -1;
     return is_good;
-}
-
-Error H5Writer::failed(const std::string& what) const {
-    return {ErrorCode::Io, path_.string() + ": cannot be written: " + what};
 }
 
 std::size_t H5Writer::add_array(const ArrayLayout& layout) {
@@ -182,7 +176,7 @@ Status H5Writer::write_rows(Array& array) const {
                  H5P_DEFAULT,
                  array.waiting.data()) >= 0;
     if (!is_written) {
-        return failed("no room for the array " + layout.name);
+        return cannot_write("no room for the array " + layout.name);
     }
     array.elements += elements;
     array.waiting.erase(array.waiting.begin(),
@@ -196,10 +190,11 @@ H5Writer::append_bytes(std::size_t array, std::span<const std::byte> bytes, std:
     Array& target = arrays_[array];
     CD_CHECK(item == size_of(target.layout.type));
     if (file_ < 0) {
-        return failed("the folder is missing or may not be written to");
+        return cannot_write("the folder is missing or may not be written to");
     }
     if (target.id < 0) {
-        return failed("HDF5 does not take the name '" + target.layout.name + "' for an array");
+        return cannot_write("HDF5 does not take the name '" + target.layout.name +
+                            "' for an array");
     }
     const std::uint64_t most = target.chunk_rows * target.row_bytes;
     while (!bytes.empty()) {
@@ -225,17 +220,10 @@ Status H5Writer::finish() {
             }
         }
         if (!close()) {
-            return failed("no room for all of it");
+            return cannot_write("no room for all of it");
         }
     }
-    const auto written = DiskFile::open(temporary_);
-    const Status synced = written ? written.value().sync() : written.error();
-    if (!synced) {
-        return failed(synced.error().detail);
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary_, path_, error);
-    return error ? Status(failed(error.message())) : Status(Done{});
+    return commit();
 }
 
 } // namespace cd

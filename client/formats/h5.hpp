@@ -34,11 +34,8 @@ class H5Writer final : public ArrayFile {
     [[nodiscard]] Status
     append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item) override;
     [[nodiscard]] Status write_rows(Array& array) const;
-    [[nodiscard]] Error failed(const std::string& what) const;
     [[nodiscard]] bool close();
 
-    std::filesystem::path path_;
-    std::filesystem::path temporary_;
     std::int64_t file_ = -1; ///< The library's number of the open file; negative without one.
     std::vector<Array> arrays_;
 };

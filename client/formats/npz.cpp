@@ -2,7 +2,6 @@
 
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
-#include "common/core/files/disk_file.hpp"
 
 #include <zip.h>
 
@@ -36,7 +35,7 @@ void NpzWriter::remove_spools() {
 
 std::size_t NpzWriter::add_array(const ArrayLayout& layout) {
     Array array{layout};
-    array.spool = path_.string() + "." + std::to_string(arrays_.size()) + ".part";
+    array.spool = path().string() + "." + std::to_string(arrays_.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
     // Leaves room for the header, which `finish` writes once the length is known.
     const Bytes room(npy_header_bytes);
@@ -61,23 +60,17 @@ Status NpzWriter::spool(Array& array) const {
                      static_cast<std::streamsize>(array.waiting.size()));
     array.waiting.clear();
     if (!array.file) {
-        return Error{ErrorCode::Io,
-                     path_.string() + ": cannot be written: no room, or no right, for " +
-                         array.spool.string()};
+        return cannot_write("no room, or no right, for " + array.spool.string());
     }
     return Done{};
 }
 
 Status NpzWriter::finish() {
-    const std::filesystem::path temporary = path_.string() + ".part";
     int code = 0;
     std::unique_ptr<zip_t, CloseArchive> archive(
-        zip_open(temporary.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-    const auto failed = [&](const std::string& what) {
-        return Error{ErrorCode::Io, path_.string() + ": cannot be written: " + what};
-    };
+        zip_open(temporary_path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     if (!archive) {
-        return failed("the folder is missing or may not be written to");
+        return cannot_write("the folder is missing or may not be written to");
     }
     for (Array& array : arrays_) {
         CD_TRY(spool(array));
@@ -87,7 +80,7 @@ Status NpzWriter::finish() {
         array.file.write(reinterpret_cast<const char*>(header.data()), npy_header_bytes);
         array.file.close();
         if (!array.file) {
-            return failed("no room, or no right, for " + array.spool.string());
+            return cannot_write("no room, or no right, for " + array.spool.string());
         }
         zip_source_t* source = zip_source_file(archive.get(), array.spool.c_str(), 0, -1);
         const zip_int64_t index = source == nullptr
@@ -98,7 +91,7 @@ Status NpzWriter::finish() {
                                                      ZIP_FL_ENC_UTF_8);
         if (index < 0) {
             zip_source_free(source);
-            return failed(zip_strerror(archive.get()));
+            return cannot_write(zip_strerror(archive.get()));
         }
         zip_set_file_compression(
             archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
@@ -114,19 +107,10 @@ Status NpzWriter::finish() {
         if (is_stopped()) {
             return interrupted();
         }
-        return failed(zip_strerror(archive.get()));
+        return cannot_write(zip_strerror(archive.get()));
     }
     static_cast<void>(archive.release()); // zip_close has freed it.
-    const auto written = DiskFile::open(temporary);
-    const Status synced = written ? written.value().sync() : written.error();
-    if (!synced) {
-        return failed(synced.error().detail);
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary, path_, error);
-    if (error) {
-        return failed(error.message());
-    }
+    CD_TRY(commit());
     remove_spools();
     return Done{};
 }

@@ -19,7 +19,7 @@ class NpzWriter final : public ArrayFile {
   public:
     /// `stop` interrupts `finish`, which takes long since it compresses all arrays.
     explicit NpzWriter(std::filesystem::path path, StopCheck stop = {})
-        : path_(std::move(path)), stop_(std::move(stop)) {}
+        : ArrayFile(std::move(path)), stop_(std::move(stop)) {}
     /// Removes the spool files.
     ~NpzWriter() override;
 
@@ -41,7 +41,6 @@ class NpzWriter final : public ArrayFile {
     [[nodiscard]] Status spool(Array& array) const;
     void remove_spools();
 
-    std::filesystem::path path_;
     StopCheck stop_;
     std::vector<Array> arrays_;
 };

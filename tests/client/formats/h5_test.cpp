@@ -11,6 +11,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cd::tests {
@@ -50,6 +51,25 @@ TEST(H5File, AppearsOnceItIsWholeAndIsTheSameEachTime) {
     EXPECT_THAT(read_text(folder / "a.h5"), StartsWith("\x89HDF\r\n\x1a\n"));
     EXPECT_EQ(read_text(folder / "a.h5"), read_text(folder / "b.h5"));
     EXPECT_LT(fs::file_size(folder / "a.h5"), 200000u) << "of 400,016 bytes";
+}
+
+TEST(H5File, IsTheSameIfSeveralThreadsWriteFiles) {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name) {
+        H5Writer writer(folder / name);
+        EXPECT_TRUE(fill(writer));
+        EXPECT_TRUE(writer.finish());
+    };
+    write("alone.h5");
+    {
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < 4; ++i) {
+            threads.emplace_back(write, std::to_string(i) + ".h5");
+        }
+    }
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(read_text(folder / (std::to_string(i) + ".h5")), read_text(folder / "alone.h5"));
+    }
 }
 
 TEST(H5File, ThatIsAbandonedLeavesNothing) {
