@@ -23,6 +23,19 @@ TEST_F(BrokenNetwork, ASessionGoesOnAfterItsConnectionIsCut) {
     EXPECT_GE(resumed(), 5u);
 }
 
+TEST_F(BrokenNetwork, ASessionGoesOnOverALongLineThatBreaks) {
+    proxy_.set_delay(std::chrono::milliseconds(25));
+    proxy_.set(Weather::Delayed);
+    start_job(3000);
+    for (int cut = 0; cut < 4; ++cut) {
+        progress(200);
+        proxy_.cut();
+    }
+    expect_right();
+    EXPECT_GE(resumed(), 3u);
+    EXPECT_GT(proxy_.delayed(), 0u);
+}
+
 TEST_F(BrokenNetwork, ASessionGoesOnAfterCutsDuringItsReconnection) {
     start_job(2500);
     for (int burst = 0; burst < 4; ++burst) {

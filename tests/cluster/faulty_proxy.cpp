@@ -5,8 +5,8 @@
 #include <fcntl.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace cd::tests {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr std::chrono::milliseconds delay{20};
 constexpr std::size_t trickle_bytes = 16;
+constexpr std::size_t delayed_bytes_max = 64U << 20U; ///< 1 Gb/s fill a tenth of it in 50 ms.
 
 /// Sets close-on-exec: a child process of the test would keep the connection open.
 template <class Socket>
@@ -26,8 +26,12 @@ void keep_from_children(Socket& socket) {
 } // namespace
 
 FaultyProxy::FaultyProxy(std::uint16_t target)
-    : acceptor_(context_, tcp::endpoint(asio::ip::address_v4::loopback(), 0)),
-      target_(asio::ip::address_v4::loopback(), target) {
+    : FaultyProxy({asio::ip::address_v4::loopback(), 0}, [target](tcp::socket&, tcp::socket&) {
+          return Endpoint(asio::ip::address_v4::loopback(), target);
+      }) {}
+
+FaultyProxy::FaultyProxy(const Endpoint& listen, Route route)
+    : acceptor_(context_, listen), route_(std::move(route)) {
     keep_from_children(acceptor_);
     spawn(context_.get_executor(), "proxy", accept());
     thread_ = std::thread([this] { context_.run(); });
@@ -42,14 +46,17 @@ std::string FaultyProxy::address() const {
     return "127.0.0.1:" + std::to_string(port());
 }
 
-void FaultyProxy::cut() {
-    asio::post(context_, [this] {
-        for (const auto& weak : links_) {
-            if (const auto link = weak.lock()) {
+void FaultyProxy::cut_if(std::function<bool()> is_cut) {
+    asio::post(context_, [this, is_cut = std::move(is_cut)] {
+        links_.remove_if([&](const std::weak_ptr<Link>& weak) {
+            const auto link = weak.lock();
+            if (link && is_cut()) {
                 link->close();
+                ++cuts_;
+                return true;
             }
-        }
-        links_.clear();
+            return !link;
+        });
     });
 }
 
@@ -73,25 +80,31 @@ asio::awaitable<void> FaultyProxy::accept() {
 
 asio::awaitable<void> FaultyProxy::connect(std::shared_ptr<Link> link) {
     error_code error;
-    link->server.open(target_.protocol(), error);
+    link->server.open(tcp::v4(), error);
     keep_from_children(link->server);
-    co_await link->server.async_connect(target_, asio::redirect_error(asio::use_awaitable, error));
+    const Endpoint target = route_(link->client, link->server);
+    co_await link->server.async_connect(target, asio::redirect_error(asio::use_awaitable, error));
     if (error) {
         link->close();
         co_return;
     }
     link->client.set_option(tcp::no_delay(true), error);
     link->server.set_option(tcp::no_delay(true), error);
-    spawn(context_.get_executor(), "proxied bytes", carry(link, true));
-    spawn(context_.get_executor(), "proxied bytes", carry(link, false));
+    for (const bool towards_target : {true, false}) {
+        auto line = std::make_shared<DelayLine>(context_.get_executor());
+        spawn(context_.get_executor(), "bytes read", read(link, towards_target, line));
+        spawn(context_.get_executor(), "bytes written", write(link, towards_target, line));
+    }
 }
 
-asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool towards_target) {
+asio::awaitable<void> FaultyProxy::read(std::shared_ptr<Link> link,
+                                        bool towards_target,
+                                        std::shared_ptr<DelayLine> line) {
     tcp::socket& from = towards_target ? link->client : link->server;
     tcp::socket& to = towards_target ? link->server : link->client;
     std::atomic<bool>& damage = towards_target ? damage_there_ : damage_back_;
     bool& damage_greeting = towards_target ? link->damage_there : link->damage_back;
-    std::array<char, 16384> buffer{};
+    std::vector<char> buffer(65536);
     while (from.is_open() && to.is_open()) {
         if (weather_.load() == Weather::Stalled) {
             ++stalled_;
@@ -114,12 +127,27 @@ asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool toward
             piece[bytes / 2] = static_cast<char>(piece[bytes / 2] ^ 0x10);
             ++damaged_;
         }
-        if (weather_.load() == Weather::Delayed) {
-            ++delayed_;
-            co_await pause(delay);
-        }
-        co_await deliver(to, std::move(piece));
+        const bool is_delayed = weather_.load() == Weather::Delayed;
+        delayed_ += is_delayed ? 1 : 0;
+        co_await line->put(std::move(piece),
+                           is_delayed ? delay_.load() : std::chrono::milliseconds(0),
+                           is_delayed ? delayed_bytes_max : 0);
     }
+    line->close();
+}
+
+asio::awaitable<void> FaultyProxy::write(std::shared_ptr<Link> link,
+                                         bool towards_target,
+                                         std::shared_ptr<DelayLine> line) {
+    tcp::socket& to = towards_target ? link->server : link->client;
+    while (to.is_open()) {
+        std::optional<std::string> piece = co_await line->take();
+        if (!piece) {
+            break;
+        }
+        co_await deliver(to, std::move(*piece));
+    }
+    line->close();
     link->close();
 }
 

@@ -1,11 +1,12 @@
 // A faulty network between two processes: it delays, cuts, swallows, damages, trickles and stalls.
 #pragma once
 
-#include "proto/channel/asio.hpp"
+#include "tests/cluster/delay_line.hpp"
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <string>
@@ -15,17 +16,24 @@ namespace cd::tests {
 
 enum class Weather {
     Fair,
-    Delayed,   ///< Each piece arrives 20 ms later, both ways.
+    Delayed,   ///< Bytes arrive later, both ways, at any rate: 20 ms if nothing else is set.
     Swallowed, ///< All bytes are read, none delivered, on new connections too (half open). A
                ///< connection that lost bytes so carries none any more, in any mode.
     Trickling, ///< Delivers some bytes per millisecond.
     Stalled,   ///< Reads nothing, so the sender's buffers fill.
 };
 
-/// Forwards loopback connections to one port, on its own thread. All members are thread-safe.
+/// Forwards connections on its own thread. All members are thread-safe.
 class FaultyProxy {
   public:
+    using Endpoint = asio::ip::tcp::endpoint;
+    /// Returns where a connection is to go. May set options of the socket that will go there.
+    using Route =
+        std::function<Endpoint(asio::ip::tcp::socket& accepted, asio::ip::tcp::socket& onward)>;
+
+    /// Listens on a port of loopback that the system chooses, and forwards to another of them.
     explicit FaultyProxy(std::uint16_t target);
+    FaultyProxy(const Endpoint& listen, Route route);
     FaultyProxy(const FaultyProxy&) = delete;
     FaultyProxy& operator=(const FaultyProxy&) = delete;
     ~FaultyProxy();
@@ -35,8 +43,14 @@ class FaultyProxy {
     [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
     void set(Weather weather) { weather_.store(weather); }
+    /// Sets how much later bytes arrive while the weather is `Delayed`, each way.
+    void set_delay(std::chrono::milliseconds delay) { delay_.store(delay); }
     /// Ends all current connections; new ones are accepted.
-    void cut();
+    void cut() {
+        cut_if([] { return true; });
+    }
+    /// Ends those connections of whom `is_cut`, which runs on the proxy's thread, returns true.
+    void cut_if(std::function<bool()> is_cut);
     /// Flips one bit of the next bytes, towards the target or back.
     void damage(bool towards_target) {
         (towards_target ? damage_there_ : damage_back_).store(true);
@@ -47,6 +61,7 @@ class FaultyProxy {
     }
 
     [[nodiscard]] std::uint64_t connections() const { return connections_.load(); }
+    [[nodiscard]] std::uint64_t cuts() const { return cuts_.load(); }
     // Counts of faults so far, both directions together.
     [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }   ///< Flipped bits.
     [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }   ///< Delayed pieces.
@@ -70,21 +85,26 @@ class FaultyProxy {
 
     asio::awaitable<void> accept();
     asio::awaitable<void> connect(std::shared_ptr<Link> link);
-    asio::awaitable<void> carry(std::shared_ptr<Link> link, bool towards_target);
+    asio::awaitable<void>
+    read(std::shared_ptr<Link> link, bool towards_target, std::shared_ptr<DelayLine> line);
+    asio::awaitable<void>
+    write(std::shared_ptr<Link> link, bool towards_target, std::shared_ptr<DelayLine> line);
     asio::awaitable<void> stand_still(const Link& link);
     asio::awaitable<void> deliver(asio::ip::tcp::socket& to, std::string piece);
     static asio::awaitable<void> pause(std::chrono::milliseconds time);
 
     asio::io_context context_{1};
     asio::ip::tcp::acceptor acceptor_;
-    asio::ip::tcp::endpoint target_;
+    Route route_;
     std::list<std::weak_ptr<Link>> links_;
     std::atomic<Weather> weather_ = Weather::Fair;
+    std::atomic<std::chrono::milliseconds> delay_{std::chrono::milliseconds(20)};
     std::atomic<bool> damage_there_ = false;
     std::atomic<bool> damage_back_ = false;
     std::atomic<bool> damage_greeting_there_ = false;
     std::atomic<bool> damage_greeting_back_ = false;
     std::atomic<std::uint64_t> connections_ = 0;
+    std::atomic<std::uint64_t> cuts_ = 0;
     std::atomic<std::uint64_t> damaged_ = 0;
     std::atomic<std::uint64_t> delayed_ = 0;
     std::atomic<std::uint64_t> trickled_ = 0;

@@ -28,7 +28,7 @@ class Simulation {
     Simulation(const Workload& workload, const SimulationOptions& options)
         : workload_(workload),
           options_(options),
-          master_(workload, master_options(options)),
+          master_(workload, master_options(options, workload.count())),
           to_master_("master"),
           work_(s4u::Semaphore::create(0)),
           entries_(s4u::Semaphore::create(0)) {}
@@ -66,11 +66,11 @@ class Simulation {
     struct Committed {};
     using Event = std::variant<FromWorker, SimulatedMaster::PoolRun, Committed>;
 
-    static MasterOptions master_options(const SimulationOptions& options) {
+    static MasterOptions master_options(const SimulationOptions& options, std::uint64_t count) {
         MasterOptions master;
         master.dispatch = options.dispatch;
         master.variation = options.variation;
-        master.feed.waiting_max = options.ahead;
+        master.feed.waiting_max = options.analyses_first ? count + 1 : options.ahead;
         // The paper's master analyses one scenario after the other.
         master.feed.block_scenarios = options.analysts == 0 ? 1 : master.feed.block_scenarios;
         master.peers = options.peers;
@@ -81,15 +81,21 @@ class Simulation {
 
     void run_master(const std::vector<std::uint32_t>& threads) {
         to_master_.open();
-        send(master_.start(threads));
+        if (options_.analyses_first) {
+            send(master_.start({}));
+            while (master_.has_pool_work()) {
+                analyse();
+            }
+            send(master_.join(threads));
+        } else {
+            send(master_.start(threads));
+        }
         offer_work();
         while (!master_.is_done()) {
             if (to_master_.has_message() || options_.analysts != 0 || !master_.has_pool_work()) {
                 take(*to_master_.get());
             } else {
-                SimulatedMaster::PoolRun run = master_.start_pool_work();
-                master_spends(run.seconds);
-                take(std::move(run));
+                analyse();
             }
             offer_work();
         }
@@ -103,6 +109,13 @@ class Simulation {
             post(*worker, {WorkerId{}, Terminate{}, bytes_of(Terminate{}, workload_)});
         }
         to_master_.close();
+    }
+
+    /// Does one piece of a pool thread's work on the master's thread.
+    void analyse() {
+        SimulatedMaster::PoolRun run = master_.start_pool_work();
+        master_spends(run.seconds);
+        take(std::move(run));
     }
 
     void take(Event event) {

@@ -165,6 +165,7 @@ SimulationOptions Setting::options_for(const ComparedStrategy& strategy,
     filled.dispatch.seed = seed;
     filled.variation = strategy.variation;
     filled.peers = strategy.peers;
+    filled.analyses_first = strategy.analyses_first;
     if (strategy.sees_queue) {
         filled.ahead = 0;
     }
