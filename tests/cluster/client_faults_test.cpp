@@ -57,7 +57,7 @@ class ClientLink : public MortalCluster {
     Ran run_far(const std::vector<std::string>& words,
                 std::uint64_t pieces,
                 const std::function<void()>& happens) {
-        proxy_.set(Weather::Delayed);
+        proxy_.set(Weather::Paced);
         const std::uint64_t until = proxy_.delayed() + pieces;
         Process process = start_far(words);
         EXPECT_TRUE(comes_true([&] { return proxy_.delayed() >= until || !process.is_running(); }));
@@ -71,7 +71,7 @@ class ClientLink : public MortalCluster {
     /// instead of reconnecting; then this tries again with a later cut.
     Process start_cut_wait(const std::string& id) {
         for (std::uint64_t pieces = 4;; ++pieces) {
-            proxy_.set(Weather::Delayed);
+            proxy_.set(Weather::Paced);
             const std::uint64_t until = proxy_.delayed() + pieces;
             Process waiting = start_far({"wait", id});
             EXPECT_TRUE(comes_true([&] { return proxy_.delayed() >= until; }));
@@ -250,7 +250,7 @@ TEST_F(HalfOpen, AWaitGoesOnAndAQuestionEndsInTime) {
     const std::string id = submit_near();
     Process waiting = start_cut_wait(id);
     const auto are_through = [&](std::uint64_t pieces) {
-        proxy_.set(Weather::Delayed);
+        proxy_.set(Weather::Paced);
         const std::uint64_t until = proxy_.delayed() + pieces;
         return comes_true([&] { return proxy_.delayed() >= until; });
     };

@@ -15,6 +15,8 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::size_t trickle_bytes = 16;
+constexpr std::size_t paced_bytes = 16384;
+constexpr std::chrono::milliseconds pace{20};
 constexpr std::size_t delayed_bytes_max = 64U << 20U; ///< 1 Gb/s fill a tenth of it in 50 ms.
 
 /// Sets close-on-exec: a child process of the test would keep the connection open.
@@ -112,8 +114,10 @@ asio::awaitable<void> FaultyProxy::read(std::shared_ptr<Link> link,
             continue;
         }
         error_code error;
+        const bool is_paced = weather_.load() == Weather::Paced;
         const std::size_t bytes = co_await from.async_read_some(
-            asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, error));
+            asio::buffer(buffer.data(), is_paced ? paced_bytes : buffer.size()),
+            asio::redirect_error(asio::use_awaitable, error));
         if (error) {
             break;
         }
@@ -127,11 +131,13 @@ asio::awaitable<void> FaultyProxy::read(std::shared_ptr<Link> link,
             piece[bytes / 2] = static_cast<char>(piece[bytes / 2] ^ 0x10);
             ++damaged_;
         }
-        const bool is_delayed = weather_.load() == Weather::Delayed;
-        delayed_ += is_delayed ? 1 : 0;
-        co_await line->put(std::move(piece),
-                           is_delayed ? delay_.load() : std::chrono::milliseconds(0),
-                           is_delayed ? delayed_bytes_max : 0);
+        const Weather weather = weather_.load();
+        const auto delay = weather == Weather::Delayed ? delay_.load()
+                           : weather == Weather::Paced ? pace
+                                                       : std::chrono::milliseconds(0);
+        delayed_ += delay.count() > 0 ? 1 : 0;
+        co_await line->put(
+            std::move(piece), delay, weather == Weather::Delayed ? delayed_bytes_max : 0);
     }
     line->close();
 }

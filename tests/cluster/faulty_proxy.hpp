@@ -17,6 +17,7 @@ namespace cd::tests {
 enum class Weather {
     Fair,
     Delayed,   ///< Bytes arrive later, both ways, at any rate: 20 ms if nothing else is set.
+    Paced,     ///< Carries 16 KiB in 20 ms, each way.
     Swallowed, ///< All bytes are read, none delivered, on new connections too (half open). A
                ///< connection that lost bytes so carries none any more, in any mode.
     Trickling, ///< Delivers some bytes per millisecond.
@@ -63,8 +64,9 @@ class FaultyProxy {
     [[nodiscard]] std::uint64_t connections() const { return connections_.load(); }
     [[nodiscard]] std::uint64_t cuts() const { return cuts_.load(); }
     // Counts of faults so far, both directions together.
-    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }   ///< Flipped bits.
-    [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }   ///< Delayed pieces.
+    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); } ///< Flipped bits.
+    /// Delayed and paced pieces.
+    [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }
     [[nodiscard]] std::uint64_t trickled() const { return trickled_.load(); } ///< Trickled pieces.
     [[nodiscard]] std::uint64_t swallowed() const {
         return swallowed_.load();

@@ -41,7 +41,7 @@ asio::awaitable<PeerOutcome> fetch_struck(Fault fault) {
     large.compressed.resize(2u << 20);
     source.blocks[0] = std::make_shared<const SubtreeBlock>(large);
     FaultyProxy proxy(source.server->port());
-    proxy.set(Weather::Delayed);
+    proxy.set(Weather::Paced);
     PeerLinks links("a test");
     std::size_t blocks = 0;
     const PeerLinks::OnBlock on_block = [&](const SubtreeBlock& block) {
@@ -177,7 +177,7 @@ void expect_others_serve(std::uint64_t pieces, const Fault& fault, bool has_next
     perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
         const auto executor = co_await asio::this_coro::executor;
         Sources sources(executor);
-        sources.proxy.set(Weather::Delayed);
+        sources.proxy.set(Weather::Paced);
         spawn(executor, "strike", strike(sources.proxy, pieces, fault));
         const Story story = co_await do_task(stage, sources, has_next);
         EXPECT_EQ(story.failed.size(), 1u);
