@@ -41,6 +41,9 @@ class Simulation {
         for (const WorkerPlace& place : platform.workers) {
             threads.push_back(place.threads);
             workers_.push_back(std::make_unique<Worker>(threads.size(), place.threads, workload_));
+            if (options_.is_client_first) {
+                workers_.back()->model.take_turns();
+            }
         }
         s4u::Actor::create("master", platform.master, [this, threads] { run_master(threads); });
         for (std::size_t i = 0; i < platform.workers.size(); ++i) {
@@ -70,7 +73,7 @@ class Simulation {
         MasterOptions master;
         master.dispatch = options.dispatch;
         master.variation = options.variation;
-        master.feed.waiting_max = options.analyses_first ? count + 1 : options.ahead;
+        master.feed.waiting_max = options.is_client_first ? count + 1 : options.ahead;
         // The paper's master analyses one scenario after the other.
         master.feed.block_scenarios = options.analysts == 0 ? 1 : master.feed.block_scenarios;
         master.peers = options.peers;
@@ -81,7 +84,7 @@ class Simulation {
 
     void run_master(const std::vector<std::uint32_t>& threads) {
         to_master_.open();
-        if (options_.analyses_first) {
+        if (options_.is_client_first) {
             send(master_.start({}));
             while (master_.has_pool_work()) {
                 analyse();
@@ -278,6 +281,15 @@ class Simulation {
         // Runs first, so that waiting threads of this worker can start.
         offer(worker, worker.model.ready_count() - ready_before);
         put_to_master(worker, std::move(wanted));
+        proceed(worker);
+    }
+
+    /// Begins the scenario whose turn has come, if scenarios take turns.
+    static void proceed(Worker& worker) {
+        const std::size_t ready_before = worker.model.ready_count();
+        Messages wanted = worker.model.proceed();
+        offer(worker, worker.model.ready_count() - ready_before);
+        put_to_master(worker, std::move(wanted));
     }
 
     void take(Worker& worker, const Hint& hint) {
@@ -393,6 +405,7 @@ class Simulation {
         times.busy += now - begin;
         worker.model.ran(scenario, now, now - begin);
         send_results(worker);
+        proceed(worker);
     }
 
     void send_results(Worker& worker) {

@@ -18,7 +18,7 @@ struct ComparedStrategy {
     bool sees_queue;
     bool peers = false; ///< Workers send each other blocks.
     Variation variation = Variation::None;
-    bool analyses_first = false; ///< All scenarios are analysed before one is given.
+    bool is_client_first = false; ///< In the form of section 5.1.
 
     [[nodiscard]] std::string name() const {
         return std::string(variation == Variation::Blind ? "blind " : "") + std::string(strategy) +

@@ -39,25 +39,43 @@ Messages WorkerModel::take(const WorkUnit& unit) {
 std::vector<BlockId> WorkerModel::begin(const WorkUnit& unit) {
     std::vector<BlockId> wanted;
     for (const std::uint64_t scenario : scenarios_in(unit)) {
-        std::size_t missing = 0;
-        for (const BlockId& block : workload_.scenario(scenario).blocks) {
-            pin(block);
-            if (has(block)) {
-                continue;
-            }
-            if (slot(block) == Slot::Absent) {
-                want(block, wanted);
-            }
-            waiting_for_[block].push_back(scenario);
-            ++missing;
-        }
-        const bool is_new = scenarios_.emplace(scenario, Waiting{unit.task, missing}).second;
-        CD_CHECK(is_new);
-        if (missing == 0) {
-            ready_.push_back(scenario);
+        if (takes_turns_) {
+            turns_.emplace_back(scenario, unit.task);
+        } else {
+            admit(scenario, unit.task, wanted);
         }
     }
     return wanted;
+}
+
+void WorkerModel::admit(std::uint64_t scenario, TaskId task, std::vector<BlockId>& wanted) {
+    std::size_t missing = 0;
+    for (const BlockId& block : workload_.scenario(scenario).blocks) {
+        pin(block);
+        if (has(block)) {
+            continue;
+        }
+        if (slot(block) == Slot::Absent) {
+            want(block, wanted);
+        }
+        waiting_for_[block].push_back(scenario);
+        ++missing;
+    }
+    const bool is_new = scenarios_.emplace(scenario, Waiting{task, missing}).second;
+    CD_CHECK(is_new);
+    if (missing == 0) {
+        ready_.push_back(scenario);
+    }
+}
+
+Messages WorkerModel::proceed() {
+    std::vector<BlockId> wanted;
+    if (scenarios_.empty() && !turns_.empty()) {
+        const auto [scenario, task] = turns_.front();
+        turns_.pop_front();
+        admit(scenario, task, wanted);
+    }
+    return by_tree<WantSubtrees>(std::move(wanted));
 }
 
 void WorkerModel::take(const Hint& hint) {

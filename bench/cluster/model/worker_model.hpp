@@ -23,10 +23,16 @@ class WorkerModel {
   public:
     /// The workload must outlive the model. `cache_bytes`: limit of memory; 0: none.
     WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes = 0);
+    /// Runs scenarios one after the other, and requests the blocks of each when its turn comes, as
+    /// in the paper's section 5.1. Call before the first scenario.
+    void take_turns() { takes_turns_ = true; }
 
     [[nodiscard]] WorkerId id() const { return id_; }
     /// Returns the requests for blocks.
     Messages take(const WorkUnit& unit);
+    /// Returns the requests for the scenario whose turn has come, if scenarios take turns and the
+    /// one before has run.
+    Messages proceed();
     void take(const Hint& hint);
     /// Returns requests for hinted blocks, when nothing is needed at once, within the product's
     /// limits.
@@ -90,6 +96,8 @@ class WorkerModel {
     }
     /// Adds the scenarios of the unit, and returns the blocks to request.
     std::vector<BlockId> begin(const WorkUnit& unit);
+    /// Adds a scenario, and the blocks to request for it.
+    void admit(std::uint64_t scenario, TaskId task, std::vector<BlockId>& wanted);
     /// Returns the last scenarios of a range, up to one that has begun. Returns the number kept.
     std::uint64_t keep_first(TaskId task, std::uint64_t kept);
     /// Removes a scenario that has not begun from its task.
@@ -116,7 +124,9 @@ class WorkerModel {
     std::map<BlockId, std::vector<std::uint64_t>> waiting_for_;
     std::map<std::uint64_t, Waiting> scenarios_; ///< Scenarios not yet run.
     std::deque<std::uint64_t> ready_;
-    std::vector<WorkUnit> ranges_; ///< Ranges that wait for the upper trees.
+    bool takes_turns_ = false;
+    std::deque<std::pair<std::uint64_t, TaskId>> turns_; ///< Scenarios whose turn is to come.
+    std::vector<WorkUnit> ranges_;                       ///< Ranges that wait for the upper trees.
     std::map<TaskId, Task> tasks_;
     std::deque<BlockId> hinted_; ///< Hinted blocks, not yet requested.
     std::uint64_t memory_bytes_ = 0;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -96,6 +97,36 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     EXPECT_EQ(results_in(last), std::pair(std::size_t{2}, true));
     EXPECT_EQ(std::get<Results>(last.front()).compute_seconds, 0.75);
     EXPECT_TRUE(worker.due(9.0, 1).empty());
+}
+
+TEST(ClusterModels, AWorkerThatTakesTurnsRequestsBlocksScenarioByScenario) {
+    const Workload workload = make_synthetic_workload(2, 4);
+    WorkerModel worker(WorkerId{1}, workload);
+    worker.take_turns();
+    EXPECT_TRUE(worker.take(unit_of({0, 1, 2, 3})).empty());
+    std::set<BlockId> here;
+    for (std::uint64_t scenario = 0; scenario < 4; ++scenario) {
+        std::set<BlockId> missing;
+        for (const BlockId& block : workload.scenario(scenario).blocks) {
+            if (here.insert(block).second) {
+                missing.insert(block);
+            }
+        }
+        std::set<BlockId> requested;
+        for (const Subtrees& blocks : answers(worker.proceed())) {
+            for (const SubtreeBlock& block : blocks.blocks) {
+                requested.insert(block_id(blocks.tree, block.root));
+            }
+            (void)worker.opened(blocks);
+        }
+        EXPECT_EQ(requested, missing);
+        ASSERT_EQ(worker.ready_count(), 1u);
+        EXPECT_EQ(worker.next(), scenario);
+        EXPECT_TRUE(worker.proceed().empty()) << "the scenario before runs";
+        worker.ran(scenario, 1.0 + static_cast<double>(scenario), 1);
+    }
+    EXPECT_TRUE(worker.proceed().empty());
+    EXPECT_EQ(results_in(worker.due(9.0, 1)), std::pair(std::size_t{4}, true));
 }
 
 TEST(ClusterModels, AWorkerAsksOnceForWhatItIsHinted) {
