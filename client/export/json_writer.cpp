@@ -150,12 +150,17 @@ Json statistics_json(const RunReport& report) {
         settled[std::string(to_text(stage))] = statistics.search.decisions[stage];
     }
     const std::optional<SearchCost>& cost = report.execution.cost;
+    const SearchEffort& effort = statistics.search.effort;
     return {{"box_tests", statistics.search.box_tests},
             {"candidates", statistics.search.triangle_tests},
             {"box_test_ns", cost ? Json(cost->box_test_ns) : Json()},
             {"candidate_ns", cost ? Json(cost->triangle_test_ns) : Json()},
             {"cost_seconds", cost ? Json(cost->seconds_of(statistics.search)) : Json()},
             {"settled", std::move(settled)},
+            {"cells", effort.cells},
+            {"leaves", effort.leaves},
+            {"roots_named", effort.roots_named},
+            {"roots_used", effort.roots_used},
             {"inside_scenarios", statistics.inside.scenarios},
             {"inside_seconds", statistics.inside.seconds}};
 }

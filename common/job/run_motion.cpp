@@ -32,7 +32,10 @@ double bound_of(const MotionAnswer& answer, ScenarioClass kind) {
                                           : answer.open_within;
 }
 
-void note_answer(MotionAnswer answer, bool touches_at_event, ScenarioResult& result) {
+/// Moves the answer into the result of a run, and its cells into the statistics.
+void note_answer(MotionAnswer answer, bool touches_at_event, ScenarioRun& run) {
+    run.statistics.effort += {answer.cells, answer.leaves, 0, 0};
+    ScenarioResult& result = run.result;
     result.kind = class_of(answer, touches_at_event);
     result.distance_bound = bound_of(answer, result.kind);
     result.motion = std::move(answer);
@@ -84,9 +87,7 @@ bool find_motion(ContactSearch& search,
     if (answer.is_stopped) {
         return false;
     }
-    run.cells = answer.cells;
-    run.leaves = answer.leaves;
-    note_answer(std::move(answer), true, run.result);
+    note_answer(std::move(answer), true, run);
     const PosePair poses = poses_of_answer(scenario, run.result);
     const bool is_event = run.result.motion->event().has_value();
     if (is_event && query.clearance && !questions.is_contact(poses)) {
@@ -98,12 +99,11 @@ bool find_motion(ContactSearch& search,
     return !(options.stop && options.stop());
 }
 
-void note_free_motion(const Motion& motion, const Query& query, ScenarioResult& result) {
+void note_free_motion(const Motion& motion, const Query& query, ScenarioRun& run) {
     const CellQuestions never{[](const PosePair&, double) { return false; },
                               [](const PosePair&) { return false; }};
-    note_answer(search_cells(motion, query.motion->until, query.clearance.value_or(0), never),
-                false,
-                result);
+    note_answer(
+        search_cells(motion, query.motion->until, query.clearance.value_or(0), never), false, run);
 }
 
 } // namespace cd

@@ -41,7 +41,7 @@ motion_of(const Scenario& scenario, const Query& query, const BodyRadii& radii);
                                const RunOptions& options,
                                ScenarioRun& run);
 
-/// Fills the result of a motion whose bodies are out of reach of each other.
-void note_free_motion(const Motion& motion, const Query& query, ScenarioResult& result);
+/// Fills the result of a motion whose bodies are out of reach of each other, and counts its cells.
+void note_free_motion(const Motion& motion, const Query& query, ScenarioRun& run);
 
 } // namespace cd

@@ -280,7 +280,7 @@ ScenarioRun run_apart(const Scenario& scenario, const Query& query, const RunOpt
             run.result = failed_result(scenario, query, motion.error());
             return run;
         }
-        note_free_motion(motion.value(), query, run.result);
+        note_free_motion(motion.value(), query, run);
     }
     return run;
 }

@@ -29,8 +29,6 @@ struct ScenarioRun {
     /// Sorted pairs. If the query has maps: all pairs found. Otherwise, at `level count` with
     /// `keep_touches`: all contacts if none is proper and the search could keep all. Else empty.
     std::vector<ContactPair> found;
-    std::uint32_t cells = 0;  ///< Cells of time that the search of a motion tested.
-    std::uint32_t leaves = 0; ///< Those of `cells` that it did not halve.
     /// True if `stop` ended the run. Then `result` has the class Failed and the reason "stopped".
     bool is_stopped = false;
 };

@@ -39,7 +39,9 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     }
     analysis.cost.search.box_tests = roots.value().box_tests;
     if (roots.value().pairs.empty()) {
-        analysis.finished = run_on_subtrees({}, scenario, input.query, options).result;
+        ScenarioRun run = run_on_subtrees({}, scenario, input.query, options);
+        analysis.finished = std::move(run.result);
+        analysis.cost.search += run.statistics;
         analysis.cost.inside = input.settler->settle(scenario, *analysis.finished);
     } else {
         analysis.pairs = std::move(roots.value().pairs);

@@ -35,8 +35,12 @@ search_effort(const AnalysisInput& input, const Analysis& analysis, const StopCh
     if (run.is_stopped || run.result.kind == ScenarioClass::Failed) {
         return std::nullopt;
     }
-    return SearchEffort{
-        run.cells, run.leaves, analysis.pairs.size(), roots_used(input, analysis, run.result)};
+    SearchEffort effort = run.statistics.effort;
+    if (question == Question::Distance) {
+        effort.roots_named = analysis.pairs.size();
+        effort.roots_used = roots_used(input, analysis, run.result);
+    }
+    return effort;
 }
 
 } // namespace cd

@@ -113,6 +113,11 @@ void put_statistics(ByteWriter& out, const JobStatistics& statistics) {
     for (const std::uint64_t settled : statistics.search.decisions.settled) {
         out.put(settled);
     }
+    const SearchEffort& effort = statistics.search.effort;
+    for (const std::uint64_t value :
+         {effort.cells, effort.leaves, effort.roots_named, effort.roots_used}) {
+        out.put(value);
+    }
     out.put(statistics.inside.scenarios);
     out.put(statistics.inside.seconds);
 }
@@ -123,6 +128,11 @@ JobStatistics get_statistics(ByteReader& in) {
     statistics.search.triangle_tests = in.get<std::uint64_t>();
     for (auto& settled : statistics.search.decisions.settled) {
         settled = in.get<std::uint64_t>();
+    }
+    SearchEffort& effort = statistics.search.effort;
+    for (std::uint64_t* value :
+         {&effort.cells, &effort.leaves, &effort.roots_named, &effort.roots_used}) {
+        *value = in.get<std::uint64_t>();
     }
     statistics.inside.scenarios = in.get<std::uint64_t>();
     statistics.inside.seconds = in.get<double>();

@@ -244,7 +244,11 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
 void ResultIngest::measure(MasterJob& job, const Checked& hand) {
     const Results& results = *hand.incoming.message;
     const std::vector<TakenResult>& taken = hand.taken.value().results;
-    job.tally.statistics.search += results.statistics;
+    QueryStatistics search = results.statistics;
+    if (search.effort != SearchEffort{} && new_scenarios(job, taken).empty()) {
+        search.effort = {}; // Counts once for each scenario, whoever answers it again.
+    }
+    job.tally.statistics.search += search;
     job.tally.compute_seconds += results.compute_seconds;
     job.tally.traffic.result_bytes += results.records.size() + results.map.size();
     // Leaves out traffic that was counted before a restart of the master.

@@ -26,8 +26,13 @@ void serialize(Archive& archive, Query& query) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SearchEffort& e) {
+    archive(e.cells, e.leaves, e.roots_named, e.roots_used);
+}
+
+template <class Archive>
 void serialize(Archive& archive, QueryStatistics& s) {
-    archive(s.box_tests, s.triangle_tests, s.decisions.settled);
+    archive(s.box_tests, s.triangle_tests, s.decisions.settled, s.effort);
 }
 
 template <class Archive>
@@ -490,11 +495,6 @@ void serialize(Archive& archive, WorkerScore& s) {
     archive(s.worker, s.name, s.may_take, s.is_chosen, s.scenarios, s.load);
     archive(s.held_triangles, s.missing_triangles);
     archive(s.backlog, s.coming, s.transfer, s.blocks, s.eviction, s.work);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SearchEffort& e) {
-    archive(e.cells, e.leaves, e.roots_named, e.roots_used);
 }
 
 template <class Archive>

@@ -246,9 +246,10 @@ struct JobStatus {
     std::string failure;                  ///< Why the job failed; empty if it did not.
     std::vector<Sha256> bodies;           ///< Meshes of the bodies.
     std::uint64_t answered_by_master = 0; ///< Scenarios without colliding distribution roots.
-    JobStatistics statistics;             ///< Sum over all received results, including duplicates.
-    double compute_seconds = 0;           ///< Computing time of all workers' threads.
-    std::string paused;                   ///< Why the job is paused; empty if it is not.
+    /// Sum over all received results, including duplicates, whose `effort` does not count.
+    JobStatistics statistics;
+    double compute_seconds = 0; ///< Computing time of all workers' threads.
+    std::string paused;         ///< Why the job is paused; empty if it is not.
     std::vector<LongScenario> long_scenarios;
     std::uint64_t withdrawn = 0;  ///< Results of quarantined workers that were withdrawn.
     std::uint64_t recalled = 0;   ///< Scenarios returned by workers near the job's end.
@@ -472,18 +473,6 @@ struct WorkerScore {
     double work = 0;     ///< The scenario itself.
 };
 
-/// What the search for the answer of a motion or of a distance takes. No answer depends on it.
-struct SearchEffort {
-    std::uint32_t cells = 0;       ///< Cells of time that the search of a motion tests.
-    std::uint32_t leaves = 0;      ///< Those of `cells` that it does not halve.
-    std::uint64_t roots_named = 0; ///< Pairs of distribution roots that may have the answer.
-    /// Those of `roots_named` whose boxes are no farther apart than the distance; all of them if
-    /// there is no distance, or for a motion.
-    std::uint64_t roots_used = 0;
-
-    friend bool operator==(const SearchEffort&, const SearchEffort&) = default;
-};
-
 /// The scores of the workers now, not when the scenario was sent. For an ended job, `why`, the
 /// roots and the workers are empty.
 struct Explained {
@@ -496,8 +485,10 @@ struct Explained {
     std::string note;          ///< Limits of these scores, in words; usually empty.
     std::uint32_t roots_a = 0; ///< Number of A's distribution roots that collide with one of B.
     std::uint32_t roots_b = 0;
-    std::vector<WorkerScore> workers;        ///< Ascending by worker.
-    std::optional<SearchEffort> effort = {}; ///< Of a motion or a distance, while the job runs.
+    std::vector<WorkerScore> workers; ///< Ascending by worker.
+    /// Of a motion or a distance, while the job runs. Of a distance it counts the roots whose boxes
+    /// are no farther apart than the distance as used; all if there is no distance.
+    std::optional<SearchEffort> effort = {};
 };
 
 } // namespace cd

@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
+#include <string>
 
 namespace cd::tests {
 
@@ -125,6 +127,13 @@ class Kinds : public Cluster {
                    "</timestep>\n</fcd-export>\n");
     }
 
+    /// Writes the job file of a kind, with more text behind it.
+    void write_job(const std::string& name, const std::string& more) const {
+        const auto kind = std::ranges::find(kinds(), name, &KindOfJob::name);
+        ASSERT_NE(kind, kinds().end());
+        write_text(folder_ / "job.toml", text_of(*kind) + more);
+    }
+
     /// Runs a job file here, or on the cluster with this mode of analysis.
     [[nodiscard]] Ran run(const std::string& analysis = {}) const {
         std::vector<std::string> command{cdctl(), "run", folder_ / "job.toml", "--quiet"};
@@ -156,12 +165,50 @@ TEST_F(Kinds, EachHasTheDigestOfOneProcessOnThreeWorkers) {
     }
 }
 
+TEST_F(Kinds, ListsOfJobsTellTheCellsOfMotionsAndTheRootsOfDistances) {
+    start_worker(1); // The only one, so that no copies of scenarios run.
+    const auto numbers_of = [](const std::string& text) {
+        std::map<std::string, int> numbers;
+        const std::regex number("\"(cells|leaves|roots_named|roots_used)\": *([0-9]+)");
+        for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i) {
+            numbers[(*i)[1]] = std::stoi((*i)[2]);
+        }
+        return numbers;
+    };
+    const auto listed = [&](const std::string& analysis) {
+        const Ran ran = run(analysis);
+        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+        const std::string at = master_->address();
+        const Ran jobs = tests::run({cdctl(), "get", "jobs", "-o", "json", "--master", at});
+        EXPECT_EQ(jobs.exit_code, 0) << jobs.errors;
+        const Ran removed = tests::run({cdctl(), "rm", "last", "--yes", "--master", at});
+        EXPECT_EQ(removed.exit_code, 0) << removed.errors;
+        return numbers_of(jobs.output);
+    };
+    write_job("motion", "[cluster]\ndepth = { a = 6, b = 4 }\n");
+    const Ran alone =
+        tests::run({cdctl(), "run", folder_ / "job.toml", "--quiet", "--out", folder_ / "out"});
+    ASSERT_EQ(alone.exit_code, 0) << alone.errors;
+    const auto here = numbers_of(read_text(folder_ / "out" / "summary.json"));
+    EXPECT_GT(here.at("leaves"), 3);
+    EXPECT_GT(here.at("cells"), here.at("leaves"));
+    EXPECT_EQ(listed("always"), here);
+    EXPECT_EQ(listed("never"), here);
+    for (const char* analysis : {"always", "never"}) {
+        // Blocks that the worker does not have yet, so that it looks twice.
+        const char* const depth = analysis == std::string("always") ? "5" : "7";
+        write_job("distance", std::string("[cluster]\ndepth = { a = ") + depth + ", b = 3 }\n");
+        const auto roots = listed(analysis);
+        EXPECT_GT(roots.at("roots_used"), 10) << analysis;
+        EXPECT_LT(roots.at("roots_used"), roots.at("roots_named")) << analysis;
+        EXPECT_EQ(roots.at("cells"), 0) << analysis;
+    }
+}
+
 TEST_F(Kinds, ExplainTellsTheCellsOfAMotionAndTheRootsOfADistance) {
     // Without a worker, both jobs run as long as the test asks.
     const auto explained = [&](const char* name, const char* scenario) {
-        const auto kind = std::ranges::find_if(
-            kinds(), [&](const KindOfJob& one) { return std::string(one.name) == name; });
-        write_text(folder_ / "job.toml", text_of(*kind) + "[cluster]\ndepth = { a = 6, b = 4 }\n");
+        write_job(name, "[cluster]\ndepth = { a = 6, b = 4 }\n");
         const std::string at = master_->address();
         const Ran sent = tests::run({cdctl(), "submit", folder_ / "job.toml", "--master", at});
         EXPECT_EQ(sent.exit_code, 0) << sent.errors;

@@ -123,6 +123,7 @@ inline AddResults results_of(JobId job,
     add.progress.answered_by_master = first + count;
     add.progress.traffic = {{1, 2, 3, 4, 5, 6}, 7};
     add.progress.help = {8, 9, 10};
+    add.progress.statistics.search.effort = {11, 12, 13, 14};
     add.progress.depths = {7, 8};
     return add;
 }

@@ -65,6 +65,7 @@ inline QueryStatistics some_statistics() {
     statistics.box_tests = 13;
     statistics.triangle_tests = 14;
     statistics.decisions.settled = {15, 16, 17, 18, 19, 20};
+    statistics.effort = {49, 50, 51, 52};
     return statistics;
 }
 

@@ -122,6 +122,9 @@ Table jobs_table(const ClusterStatus& status) {
     const auto in_search = [](auto member) {
         return [member](const Job& job) { return job.statistics.search.*member; };
     };
+    const auto in_effort = [](auto member) {
+        return [member](const Job& job) { return job.statistics.search.effort.*member; };
+    };
     const auto in_inside = [](auto member) {
         return [member](const Job& job) { return job.statistics.inside.*member; };
     };
@@ -152,6 +155,10 @@ Table jobs_table(const ClusterStatus& status) {
     table.add_wide(
         "triangle_tests", "TRIANGLE TESTS", Count, in_search(&QueryStatistics::triangle_tests));
     table.add_wide("past_float", "PAST FLOAT", Count, past_float);
+    table.add_wide("cells", "CELLS", Count, in_effort(&SearchEffort::cells));
+    table.add_wide("leaves", "LEAVES", Count, in_effort(&SearchEffort::leaves));
+    table.add_wide("roots_named", "ROOTS NAMED", Count, in_effort(&SearchEffort::roots_named));
+    table.add_wide("roots_used", "ROOTS USED", Count, in_effort(&SearchEffort::roots_used));
     table.add_wide("compute_seconds", "COMPUTE", Seconds, &Job::compute_seconds);
     table.add_wide("inside_scenarios", "INSIDE?", Count, in_inside(&InsideStatistics::scenarios));
     table.add_wide("inside_seconds", "FOR INSIDE", Seconds, in_inside(&InsideStatistics::seconds));

@@ -62,6 +62,7 @@ std::optional<FinishedScenarios> execute(const ReadyScenario& ready, const StopC
     FinishedScenarios finished;
     finished.add(encode_result(run.result));
     finished.statistics = run.statistics;
+    finished.count_roots(*ready.query, ready.named, ready.pairs.size());
     ContactMapSum map(ready.parts);
     map.add(run.result, run.found);
     finished.map = map.take();

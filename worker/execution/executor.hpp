@@ -51,6 +51,7 @@ struct ReadyScenario {
     BodyRadii radii;                           ///< In a job of motions.
     std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
     std::vector<RootPair> pairs;
+    std::size_t named = 0;          ///< Number of pairs that may have the answer, at least `pairs`.
     std::vector<RootIndex> roots_a; ///< Distinct, ascending.
     std::vector<RootIndex> roots_b;
     std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< Parallel to `roots_a`.

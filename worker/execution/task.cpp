@@ -106,7 +106,7 @@ void Task::plan_looks(const SubtreeCache& cache) {
         if (looks_twice(job_->query, pairs_.of(scenario)) &&
             !std::ranges::all_of(roots_of(scenario),
                                  [&](const SubtreeKey& key) { return cache.has(key); })) {
-            pairs_.set({scenario, {}, true});
+            pairs_.set({scenario, {}, true, pairs_.named(scenario)});
         }
     }
 }
@@ -138,6 +138,7 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     ready.radii = radii_of(job_->radii, ready.scenario);
     ready.parts = job_->parts;
     ready.pairs.assign(pairs.begin(), pairs.end());
+    ready.named = pairs_.named(scenario);
     ready.roots_a = roots_of_a(pairs);
     ready.roots_b = roots_of_b(pairs);
     ready.subtrees_a = subtrees_of(cache, job_->tree_a(ready.scenario), ready.roots_a);

@@ -33,6 +33,11 @@ class TaskPairs {
         const std::uint32_t begin = offsets_.at(scenario);
         return std::span(pairs_).subspan(begin, offsets_.at(scenario + 1) - begin);
     }
+    /// Number of pairs that may have a scenario's answer, of which `of` has those needed now.
+    [[nodiscard]] std::size_t named(std::size_t scenario) const {
+        const auto found = found_.find(scenario);
+        return found != found_.end() ? found->second.named : of(scenario).size();
+    }
     /// Whether the pairs of a scenario are those of a first look.
     [[nodiscard]] bool are_first_look(std::size_t scenario) const {
         const auto found = found_.find(scenario);

@@ -49,7 +49,7 @@ class Walker {
         if (touching_ && gather({&*touching_, 1})) {
             const ScenarioRun run = run_on_pairs(scenario, options);
             if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
-                return add(run);
+                return add(run, 1);
             }
             walked_.finished.statistics += run.statistics;
         }
@@ -112,9 +112,10 @@ class Walker {
         }
         finished.statistics.box_tests += roots.value().box_tests;
         std::vector<RootPair>& pairs = roots.value().pairs;
+        const std::size_t named = pairs.size();
         return looks_twice(walk_.job->query, pairs) && !holds(pairs)
                    ? look_twice(which, scenario, std::move(pairs), options)
-                   : run_or_wait(which, scenario, std::move(pairs), options);
+                   : run_or_wait(which, scenario, std::move(pairs), named, options);
     }
 
     /// Runs a scenario that asks for the distance in two looks, or records that it waits for
@@ -127,9 +128,10 @@ class Walker {
                     const RunOptions& options) {
         const TreeTop& top_a = a_.tree->top();
         const TreeTop& top_b = b_.tree->top();
+        const std::size_t named = pairs.size();
         std::vector<RootPair> nearest = first_look(top_a, top_b, scenario.poses, pairs);
         if (!holds(nearest)) {
-            walked_.waiting.push_back({which, std::move(nearest), true});
+            walked_.waiting.push_back({which, std::move(nearest), true, named});
             return true;
         }
         std::vector<RootPair> held;
@@ -140,7 +142,7 @@ class Walker {
         gather(held);
         const ScenarioRun run = run_on_gathered(held, scenario, options);
         if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
-            return add(run);
+            return add(run, named);
         }
         walked_.finished.statistics += run.statistics;
         const auto& found = run.result.nearest;
@@ -152,20 +154,21 @@ class Walker {
         if (!holds(pairs)) {
             walked_.found = found_before; // Whoever gets the missing subtrees counts all.
         }
-        return run_or_wait(which, scenario, std::move(pairs), options);
+        return run_or_wait(which, scenario, std::move(pairs), named, options);
     }
 
-    /// Runs a scenario on all pairs of roots that it needs, or records that it waits for subtrees.
-    /// Returns false if stopped.
+    /// Runs a scenario on all pairs of roots that it needs, of `named` that may have the answer, or
+    /// records that it waits for subtrees. Returns false if stopped.
     bool run_or_wait(std::size_t which,
                      const Scenario& scenario,
                      std::vector<RootPair> pairs,
+                     std::size_t named,
                      const RunOptions& options) {
         if (!gather(pairs)) {
-            walked_.waiting.push_back({which, std::move(pairs)});
+            walked_.waiting.push_back({which, std::move(pairs), false, named});
             return true;
         }
-        return add(run_on_gathered(pairs, scenario, options));
+        return add(run_on_gathered(pairs, scenario, options), named);
     }
 
     /// Runs a scenario on `pairs`, which are gathered, and notes the pair that touches.
@@ -186,13 +189,15 @@ class Walker {
         return run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
     }
 
-    /// Adds a scenario's result. Returns false if stopped.
-    bool add(const ScenarioRun& run) {
+    /// Adds a scenario's result, which has taken the pairs gathered of the `named`. Returns false
+    /// if stopped.
+    bool add(const ScenarioRun& run, std::size_t named) {
         if (run.is_stopped) {
             return false;
         }
         walked_.finished.add(encode_result(run.result));
         walked_.finished.statistics += run.statistics;
+        walked_.finished.count_roots(walk_.job->query, named, pairs_.size());
         map_.add(run.result, run.found);
         return true;
     }
@@ -265,6 +270,12 @@ void FinishedScenarios::add(const Bytes& record) {
     records.insert(records.end(), size_bytes.begin(), size_bytes.end());
     records.insert(records.end(), record.begin(), record.end());
     ++count;
+}
+
+void FinishedScenarios::count_roots(const Query& query, std::size_t named, std::size_t used) {
+    if (query.question == Question::Distance) {
+        statistics.effort += {0, 0, named, used};
+    }
 }
 
 Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock) {

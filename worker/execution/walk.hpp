@@ -62,6 +62,8 @@ struct FinishedScenarios {
     ContactMap map;     ///< Empty unless the query asks for maps.
 
     void add(const Bytes& record);
+    /// Counts the pairs of roots of a scenario, if it asks for a distance.
+    void count_roots(const Query& query, std::size_t named, std::size_t used);
 };
 
 /// Output of one descent.
@@ -73,6 +75,7 @@ struct Walked {
         /// Whether `pairs` are only the nearest ones of a distance (`first_look`). A further
         /// descent answers the scenario, or finds all pairs that it needs.
         bool is_first_look = false;
+        std::size_t named = 0; ///< Number of pairs that may have its answer, at least `pairs`.
     };
 
     FinishedScenarios finished;

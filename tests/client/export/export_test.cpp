@@ -49,6 +49,7 @@ class Export : public testing::Test {
         report.execution.statistics.search.box_tests = 5;
         report.execution.statistics.search.triangle_tests = 6;
         report.execution.statistics.search.decisions[PairStage::Lattice] = 6;
+        report.execution.statistics.search.effort = {9, 5, 12, 3};
         report.execution.statistics.inside = {7, 0.5, {}};
         report.execution.cost = cost_;
         for (ScenarioResult result : results()) {
@@ -248,7 +249,8 @@ TEST_F(Export, TheSummaryHasBodiesCoverageAndStatistics) {
               nlohmann::json::parse(R"({"box_tests": 5, "candidates": 6, "box_test_ns": null,
                   "candidate_ns": null, "cost_seconds": null, "settled": {"float": 0,
                   "double": 0, "lattice": 6, "double-double": 0, "wide integer": 0,
-                  "arbitrary": 0}, "inside_scenarios": 7, "inside_seconds": 0.5})"));
+                  "arbitrary": 0}, "cells": 9, "leaves": 5, "roots_named": 12, "roots_used": 3,
+                  "inside_scenarios": 7, "inside_seconds": 0.5})"));
 }
 
 TEST_F(Export, TheSummaryGivesThePapersCost) {

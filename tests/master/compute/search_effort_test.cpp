@@ -60,10 +60,12 @@ TEST_F(Efforts, AMotionPastTheBodyTestsOneCellAndOneIntoItHalvesMany) {
     ask_for_motion(moved_pose({3, 0.5, 0}));
     EXPECT_EQ(effort().value().cells, 1u);
     EXPECT_EQ(effort().value().leaves, 1u);
+    EXPECT_EQ(analysis_.cost.search.effort, (SearchEffort{1, 1, 0, 0})) << "the master answers it";
     ask_for_motion(moved_pose({0, 0.25, 0}));
     const SearchEffort found = effort().value();
     EXPECT_GT(found.cells, 5u);
     EXPECT_LT(found.leaves, found.cells);
+    EXPECT_EQ(analysis_.cost.search.effort, SearchEffort{}) << "a worker answers it";
 }
 
 TEST_F(Efforts, NothingIsToldOfOtherQuestionsOrOfARunThatIsStopped) {

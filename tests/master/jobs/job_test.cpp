@@ -84,6 +84,7 @@ RecoveredJob recovered() {
     before.progress.seconds = 5;
     before.progress.answered_by_master = 6;
     before.progress.help = {1, 2, 3};
+    before.progress.statistics.search.effort = {9, 5, 12, 3};
     before.progress.depths = {4, 3};
     before.withdrawn = 8;
     before.losses = {{{0, 1}, 70}};
@@ -101,6 +102,7 @@ TEST(MasterJob, GoesOnAfterARestartOfTheMaster) {
     EXPECT_EQ(status.answered_by_master, 6u);
     EXPECT_EQ(status.withdrawn, 8u);
     EXPECT_EQ(status.copies_won, 3u);
+    EXPECT_EQ(status.statistics.search.effort, (SearchEffort{9, 5, 12, 3}));
     EXPECT_EQ(status.began, 1000u);
     EXPECT_EQ(job.progress(start).depths, (std::vector<std::uint32_t>{4, 3}));
 }

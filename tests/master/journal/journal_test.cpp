@@ -108,6 +108,7 @@ TEST(Journal, CommittedEntriesAreRecovered) {
     EXPECT_EQ(job.progress.answered_by_master, 50u);
     EXPECT_EQ(job.progress.traffic, (JobTraffic{{1, 2, 3, 4, 5, 6}, 7}));
     EXPECT_EQ(job.progress.help, (HelpAtEnd{8, 9, 10}));
+    EXPECT_EQ(job.progress.statistics.search.effort, (SearchEffort{11, 12, 13, 14}));
     EXPECT_EQ(job.progress.depths, (std::vector<std::uint32_t>{7, 8}));
     EXPECT_EQ(job.results->count(), 350u);
     EXPECT_EQ(job.results->read(0, 1000, 1u << 20).value().count, 350u);

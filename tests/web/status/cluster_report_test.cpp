@@ -122,6 +122,15 @@ TEST_F(Status, CountsTheMeshesThatNoJobNeeds) {
     EXPECT_EQ(nlohmann::json::parse(status_json(before_, after_))["meshes"][1]["needed"], "no");
 }
 
+TEST_F(Status, TheJobsTellTheCellsOfMotionsAndTheRootsOfDistances) {
+    before_.jobs[0].statistics.search.effort = {1041, 521, 12, 3};
+    const auto job = nlohmann::json::parse(format_table(jobs_table(before_), "json"))[0];
+    EXPECT_EQ(job["cells"], 1041);
+    EXPECT_EQ(job["leaves"], 521);
+    EXPECT_EQ(job["roots_named"], 12);
+    EXPECT_EQ(job["roots_used"], 3);
+}
+
 TEST_F(Status, NamesGeometryOnItsWay) {
     for (WorkerStatus& worker : after_.workers) {
         worker.scenarios = 100;

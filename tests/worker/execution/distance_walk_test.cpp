@@ -130,6 +130,14 @@ TEST(DistanceWalk, TheSecondLookAsksForRootsThatMayBeNearer) {
     worker.give(second.waiting[0].pairs);
     const Walked last = worker.walk_one(scenario);
     EXPECT_TRUE(last.waiting.empty());
+    EXPECT_EQ(first.finished.statistics.effort, SearchEffort{});
+    EXPECT_EQ(second.finished.statistics.effort, SearchEffort{}) << "a scenario counts at its end";
+    const SearchEffort effort = last.finished.statistics.effort;
+    EXPECT_EQ(second.waiting[0].named, named.size());
+    EXPECT_EQ(effort.roots_named, named.size());
+    EXPECT_LT(effort.roots_used, effort.roots_named);
+    EXPECT_GT(effort.roots_used, 0u);
+    EXPECT_LE(effort.roots_used, second.waiting[0].pairs.size());
     EXPECT_EQ(last.found, worker.blocks_given());
     EXPECT_EQ(encode_result(results_of(last.finished).at(0)),
               encode_result(worker.whole(scenario)));

@@ -94,6 +94,18 @@ TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
     EXPECT_EQ(wide->records, binary->records);
 }
 
+TEST(Executor, CountsTheRootsOfADistanceAlone) {
+    const CutBody body = cut_body(make_sphere(3), 0);
+    ReadyScenario ready = spheres_in_one_place(body.tree);
+    ready.named = 7;
+    EXPECT_EQ(execute(ready, {})->statistics.effort, SearchEffort{});
+    Query query;
+    query.level = Level::Any;
+    query.question = Question::Distance;
+    ready.query = std::make_shared<const Query>(query);
+    EXPECT_EQ(execute(ready, {})->statistics.effort, (SearchEffort{0, 0, 7, 1}));
+}
+
 TEST(Executor, SumsContactsByPartIfThereAreParts) {
     const CutBody body = cut_body(make_sphere(3), 0);
     ReadyScenario ready = spheres_in_one_place(body.tree);
