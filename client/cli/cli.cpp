@@ -178,6 +178,12 @@ class Verbs {
         report.add("-o,--output", report->out, "FILE", "The report; groups.csv is put beside it")
             ->capture_default_str();
         report.add("--pictures", report->pictures, "DIR", "Folder for large pictures: PNG files");
+        report
+            .add("--body",
+                 report->bodies,
+                 "NAME",
+                 "Only scenarios of this body; repeat it for more bodies")
+            ->allow_extra_args(false);
         report.flag("--3d",
                     report->has_viewer,
                     "Add the viewer of the worst 20 scenarios; refused above 25 MB");

@@ -155,7 +155,8 @@ struct ReportCommand {
     std::string run; ///< A results folder, or a job's id.
     MasterOptions master;
     std::string out = "report.html";
-    std::string pictures; ///< Folder for large pictures; empty: none.
+    std::string pictures;            ///< Folder for large pictures; empty: none.
+    std::vector<std::string> bodies; ///< Names of the only bodies that it is about; empty: all.
     bool has_viewer = false;
     /// Size of a report with a viewer; a larger one is refused.
     std::uint64_t bytes_max = limits::report_with_viewer_bytes_max;

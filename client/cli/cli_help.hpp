@@ -334,12 +334,15 @@ Examples:
   cdctl report out -o report/van.html --pictures report
   cdctl report j-5692 --statuses clashes.toml
   cdctl report out --3d
+  cdctl report out --body robot.link_4 --body gripper
 
 The report is one HTML file below 5 MB, without script: what was found and what was not
 tested, the bodies, the worst scenarios, the parts in contact, the space of poses, and how it
 ran. It prints on A4. With --3d it also has the viewer of `cdctl view`, with the worst 20
 scenarios, and a script; it opens without a server or a network. Of a scene all bodies of these
 steps are shown; those for which the file has no room are named, and drawn as boxes or left out.
+With --body all of it is about scenarios in which one of these bodies takes part; so are
+groups.csv and --fail-on.
 
 Groups are pairs of parts in contact (levels pairs and contacts, or count with maps). In a mesh
 without parts they are of its connected pieces, the largest `piece 1`; at level count such a

@@ -14,6 +14,7 @@
 #include "client/document/run_overview.hpp"
 #include "client/folder/run_groups.hpp"
 #include "client/formats/output_file.hpp"
+#include "client/groups/body_choice.hpp"
 #include "client/groups/groups_csv.hpp"
 #include "client/trees/body_trees.hpp"
 #include "client/view/held_answers.hpp"
@@ -159,6 +160,21 @@ Result<std::optional<SceneSections>> read_scene_of(const RunAtHand& run) {
     return sections;
 }
 
+/// Returns the bodies that the report is about; from now on the run has only their records. Errors:
+/// BadInput for a body that the run lacks, or if an earlier run is to be compared.
+Result<BodyChoice> choose_bodies(const ReportCommand& command, OpenedRun& run) {
+    auto bodies = CD_TRY(BodyChoice::of_names(command.bodies, names_of_bodies(run.manifest())));
+    if (!bodies.is_all() && !command.judge.baseline.empty()) {
+        return bad_input("--baseline compares all bodies: leave out --body");
+    }
+    if (!bodies.is_all()) {
+        run.records().keep_only([bodies](const ScenarioResult& result) {
+            return bodies.has(result.body_a, result.body_b);
+        });
+    }
+    return bodies;
+}
+
 /// Begins the sum of a run's groups, or an empty one if they are unknown. Errors: BadInput if they
 /// are unknown, but there is a baseline to compare with.
 Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
@@ -225,6 +241,7 @@ Result<int> perform(const ReportCommand& command) {
         command.run, command.master, command.tree_cache, {.trees = trees, .map = true}, pool));
     const RunManifest& manifest = at_hand.run.manifest();
     CD_TRY(check_fail_on(command.fail_on, manifest.query));
+    const BodyChoice bodies = CD_TRY(choose_bodies(command, at_hand.run));
     auto judge = CD_TRY(
         Judge::open(command.judge, command.fail_on, command.master, command.tree_cache, pool));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
@@ -234,6 +251,9 @@ Result<int> perform(const ReportCommand& command) {
                                              manifest.poses.count,
                                              &InterruptGuard::has_come,
                                              manifest.scene_head()));
+    if (!bodies.is_all()) {
+        CD_TRY(overview.restrict_to(bodies, *at_hand.job.poses, &InterruptGuard::has_come));
+    }
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     CD_TRY(add_pairs(at_hand, overview, command.tree_cache, pool));

@@ -38,6 +38,9 @@ constexpr std::array<CellLook, 10> cell_looks{{{"#ffffff", "no scenario"},
 
 /// Returns the place of a class of `RunOverview::classes` in `cell_looks`.
 std::uint8_t rank_of(std::uint8_t kind) {
+    if (kind == RunOverview::left_out) {
+        return 0;
+    }
     return kind == RunOverview::no_result
                ? 1
                : static_cast<std::uint8_t>(1 + severity(static_cast<ScenarioClass>(kind)));
@@ -176,8 +179,12 @@ Result<ClassChart> ClassChart::of_poses(PoseSource& poses,
                                         const std::vector<std::uint8_t>& classes,
                                         const StopCheck& stop) {
     Aabb box;
-    const Status sized = for_each_origin(
-        poses, classes.size(), stop, [&](std::uint64_t, const Vec3& at) { box.add(at); });
+    const Status sized =
+        for_each_origin(poses, classes.size(), stop, [&](std::uint64_t i, const Vec3& at) {
+            if (classes[i] != RunOverview::left_out) {
+                box.add(at);
+            }
+        });
     if (!sized) {
         return sized.error();
     }
@@ -200,7 +207,9 @@ Result<ClassChart> ClassChart::of_poses(PoseSource& poses,
     const int b = up;
     const Status filled =
         for_each_origin(poses, classes.size(), stop, [&](std::uint64_t i, const Vec3& at) {
-            chart.add(cell(at, a), cell(at, b), classes[i]);
+            if (classes[i] != RunOverview::left_out) {
+                chart.add(cell(at, a), cell(at, b), classes[i]);
+            }
         });
     return filled ? Result<ClassChart>(std::move(chart)) : filled.error();
 }

@@ -48,10 +48,25 @@ std::string others_text(const ShownBody& body) {
 
 } // namespace
 
+Html RunDocument::digest() const {
+    const auto& whole = manifest_.outcome.digest;
+    if (!overview_.bodies().empty()) {
+        return whole ? paragraph("Digest of the whole run " + to_hex(*whole)) : Html();
+    }
+    return paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
+                                        : "No digest, since results are missing.");
+}
+
 Html RunDocument::verdict() const {
     const Summary& summary = overview_.summary();
     const bool is_clean = summary.separate == summary.total;
     Html content = Html::element("h1", short_name(manifest_.name));
+    if (!overview_.bodies().empty()) {
+        content += paragraph(
+            "Only scenarios of " + overview_.bodies() + ": " + grouped(summary.total) + " of " +
+            grouped(manifest_.poses.count) + ". All else in this report is of these, too" +
+            (scene_ == nullptr ? "" : ", but for how many pairs were tested") + ".");
+    }
     const std::optional<double>& clearance = manifest_.query.clearance;
     const std::string distance = clearance ? exact_text(*clearance) + " " + manifest_.unit : "";
     content +=
@@ -89,8 +104,7 @@ Html RunDocument::verdict() const {
         counts.push_back(grouped(summary.near_pairs));
     }
     content += html_table({html_texts(head), html_texts(counts)}, "counts");
-    content += paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
-                                            : "No digest, since results are missing.");
+    content += digest();
     const auto untested = untested_texts(summary, manifest_.query, no_groups_);
     content += paragraph(untested.empty() ? "Everything that was asked was tested."
                                           : "What was not tested, or not listed:");
@@ -237,6 +251,9 @@ Result<Html> RunDocument::coincidence(const StopCheck& stop) const {
         const auto scenarios = CD_TRY(
             job_.poses->read(first, std::min(coincidences_at_once, job_.poses->count() - first)));
         for (const Scenario& scenario : scenarios) {
+            if (overview_.classes()[scenario.index] == RunOverview::left_out) {
+                continue;
+            }
             const Mesh& a = *job_.meshes[scenario.body_a];
             const Mesh& b = *job_.meshes[scenario.body_b];
             if (a.hash() == b.hash() && coincide(scenario.poses)) {

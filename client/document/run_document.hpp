@@ -55,6 +55,8 @@ class RunDocument {
 
   private:
     [[nodiscard]] Html verdict() const;
+    /// Tells the digest, or why there is none.
+    [[nodiscard]] Html digest() const;
     [[nodiscard]] Html distances() const;
     [[nodiscard]] Html bodies() const;
     [[nodiscard]] Html worst();

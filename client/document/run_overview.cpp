@@ -40,6 +40,27 @@ Result<RunOverview> RunOverview::read(const RecordFile& records,
     return overview;
 }
 
+Status
+RunOverview::restrict_to(const BodyChoice& bodies, PoseSource& poses, const StopCheck& stop) {
+    constexpr std::uint64_t scenarios_at_once = 1u << 16;
+    for (std::uint64_t first = 0; first < classes_.size(); first += scenarios_at_once) {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const std::uint64_t count =
+            std::min<std::uint64_t>(scenarios_at_once, classes_.size() - first);
+        for (const Scenario& scenario : CD_TRY(poses.read(first, count))) {
+            if (!bodies.has(scenario.body_a, scenario.body_b)) {
+                classes_[scenario.index] = left_out;
+            }
+        }
+    }
+    bodies_ = bodies.text();
+    digest_.reset();
+    summary_.total -= static_cast<std::uint64_t>(std::ranges::count(classes_, left_out));
+    return Done{};
+}
+
 Status RunOverview::add_pairs_to_worst(const PreparedJob& job,
                                        std::chrono::milliseconds run_max,
                                        const StopCheck& stop) {

@@ -1,6 +1,7 @@
 // What a report tells of a run's results: everything that one pass over the records finds.
 #pragma once
 
+#include "client/groups/body_choice.hpp"
 #include "client/groups/group_sum.hpp"
 #include "client/job/prepared_job.hpp"
 #include "common/core/files/hash.hpp"
@@ -33,6 +34,8 @@ class RunOverview {
     static constexpr std::size_t failures_max = 20;
     /// The class of a scenario without a result, in `classes`.
     static constexpr std::uint8_t no_result = 255;
+    /// The class of a scenario that the report is not about, in `classes`.
+    static constexpr std::uint8_t left_out = 254;
 
     /// Reads all records of a run with `scenarios` scenarios, and adds them to `groups`. `scene` is
     /// that of the run. Errors: Io; BadInput for a record that the run cannot have; Interrupted.
@@ -43,6 +46,11 @@ class RunOverview {
          const StopCheck& stop,
          const std::optional<SceneHead>& scene = std::nullopt);
 
+    /// Leaves out the scenarios of other bodies, whose records were not read: they are not missing.
+    /// Errors: from reading poses; Interrupted.
+    [[nodiscard]] Status
+    restrict_to(const BodyChoice& bodies, PoseSource& poses, const StopCheck& stop);
+
     /// Runs the worst scenarios again, as the page does, and gives them pairs and points. For
     /// runs below `level pairs`, whose records list none. `job` has trees. A scenario whose run
     /// fails or takes longer than `run_max` remains without pairs. Errors: from reading poses;
@@ -51,10 +59,13 @@ class RunOverview {
                                             std::chrono::milliseconds run_max,
                                             const StopCheck& stop);
 
+    /// The names of the bodies that the overview is restricted to, with commas; else empty.
+    [[nodiscard]] const std::string& bodies() const { return bodies_; }
+    /// The counts of the scenarios that are not left out.
     [[nodiscard]] const Summary& summary() const { return summary_; }
-    /// The run's digest; nothing while results are missing.
+    /// The run's digest; nothing while results are missing, or if scenarios are left out.
     [[nodiscard]] const std::optional<Sha256>& digest() const { return digest_; }
-    /// The class of each scenario, as `ScenarioClass` or `no_result`.
+    /// The class of each scenario, as `ScenarioClass`, `no_result` or `left_out`.
     [[nodiscard]] const std::vector<std::uint8_t>& classes() const { return classes_; }
     /// The worst scenarios in contact or near (`Badness`), the worst first, and among equal ones
     /// the first. Their pairs are those of the records, or of `add_pairs_to_worst`.
@@ -78,6 +89,7 @@ class RunOverview {
     void add_distance(const ScenarioResult& result);
 
     GroupSum groups_;
+    std::string bodies_;
     Summary summary_;
     std::optional<Sha256> digest_;
     std::vector<std::uint8_t> classes_;

@@ -13,7 +13,6 @@ namespace cd {
 namespace {
 
 constexpr std::string_view group_mark = "group:";
-constexpr std::size_t names_max = 20; ///< Names in an error.
 
 bool matches(const std::string& pattern, const std::string& name) {
     return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
@@ -25,10 +24,6 @@ std::string suggested(const std::string& pattern, const std::set<std::string>& n
     for (const std::string& name : names) {
         words.push_back(name);
     }
-    if (const auto nearest = nearest_word(pattern, words)) {
-        return "; did you mean \"" + std::string(*nearest) + "\"?";
-    }
-    words.resize(std::min(words.size(), names_max));
     return suggestion(pattern, words);
 }
 

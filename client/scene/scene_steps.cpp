@@ -152,7 +152,7 @@ class StepsOpening {
             if (found == numbers_.end()) {
                 return bad_input(table.name + ": " + place_of_pose(table, i) + ": no body of " +
                                  "[bodies] is called \"" + table.bodies[i] + "\"" +
-                                 suggested(table.bodies[i], names));
+                                 suggestion(table.bodies[i], names));
             }
             sources_.table_bodies.push_back(found->second);
             has_pose_[found->second] = true;
@@ -182,16 +182,6 @@ class StepsOpening {
             return name + ": line " + std::to_string(lines[step * columns + column]);
         };
         opened_.rates.push_back(std::move(rates));
-    }
-
-    /// Names the nearest body. Of many bodies not all are listed.
-    static std::string suggested(const std::string& name, std::vector<std::string_view> names) {
-        constexpr std::size_t names_max = 20;
-        if (const auto nearest = nearest_word(name, names)) {
-            return "; did you mean \"" + std::string(*nearest) + "\"?";
-        }
-        names.resize(std::min(names.size(), names_max));
-        return suggestion(name, names);
     }
 
     /// Opens the poses that an entry of [bodies] gives.

@@ -37,6 +37,7 @@ std::size_t edits_between(std::string_view from, std::string_view to) {
 
 /// Longer words, which may come from a file, get no suggestion: comparing them takes too long.
 constexpr std::size_t word_length_max = 64;
+constexpr std::size_t words_listed_max = 20; ///< In an error.
 
 } // namespace
 
@@ -61,7 +62,9 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
     if (const auto nearest = nearest_word(word, known)) {
         return "; did you mean \"" + std::string(*nearest) + "\"?";
     }
-    return fmt::format("; known are {}", fmt::join(known, ", "));
+    const auto listed = known.first(std::min(known.size(), words_listed_max));
+    return fmt::format(
+        "; known are {}{}", fmt::join(listed, ", "), listed.size() < known.size() ? ", ..." : "");
 }
 
 std::string grouped(std::uint64_t number) {

@@ -16,7 +16,7 @@ namespace cd {
 [[nodiscard]] std::optional<std::string_view> nearest_word(std::string_view word,
                                                            std::span<const std::string_view> known);
 
-/// Returns "; did you mean "x"?" for the nearest known word, or a list of all known words.
+/// Returns "; did you mean "x"?" for the nearest known word, or a list of the first known words.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string_view> known);
 

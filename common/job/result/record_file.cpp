@@ -41,6 +41,11 @@ Result<RecordFile> RecordFile::open_unfinished(const std::filesystem::path& path
     return file ? Result<RecordFile>(RecordFile(std::move(file.value()))) : file.error();
 }
 
+void RecordFile::keep_only(std::function<bool(const ScenarioResult&)> is_kept) {
+    is_kept_ = std::move(is_kept);
+    kept_block_.reset();
+}
+
 Status RecordFile::for_each_of(std::size_t block,
                                const std::function<Status(const RecordView&)>& take) const {
     const auto damaged = [&](std::string_view detail) {
@@ -72,7 +77,9 @@ Status RecordFile::for_each_of(std::size_t block,
             return damaged("the scenarios of two blocks overlap");
         }
         least = index + 1;
-        CD_TRY(take({record, result.value()}));
+        if (!is_kept_ || is_kept_(result.value())) {
+            CD_TRY(take({record, result.value()}));
+        }
     }
     return count == place.count ? Status(Done{}) : damaged("a block has another number of records");
 }

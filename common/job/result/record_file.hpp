@@ -38,6 +38,10 @@ class RecordFile {
     /// Opens a file that may lack its table. Errors: those of `BlockFile::open_unfinished`.
     [[nodiscard]] static Result<RecordFile> open_unfinished(const std::filesystem::path& path);
 
+    /// From now on leaves out the records for which `is_kept` is false, as if the file lacked them,
+    /// though `count` counts them. Any number of threads may call `is_kept` at once.
+    void keep_only(std::function<bool(const ScenarioResult&)> is_kept);
+
     [[nodiscard]] std::uint64_t count() const { return file_.count(); }
     [[nodiscard]] std::size_t blocks() const { return file_.blocks().size(); }
     /// Reads the records of a block, decoded and checked. Errors: Io naming the file.
@@ -56,6 +60,7 @@ class RecordFile {
                                      const std::function<Status(const RecordView&)>& take) const;
 
     BlockFile file_;
+    std::function<bool(const ScenarioResult&)> is_kept_; ///< Empty: all are.
     std::optional<std::size_t> kept_block_;
     std::vector<KeptRecord> kept_; ///< Records of block `kept_block_`.
 };

@@ -45,6 +45,13 @@ Grid grid_of(std::uint64_t x, std::uint64_t y, std::uint64_t yaws) {
 
 } // namespace
 
+TEST(ClassChart, ScenariosThatAreLeftOutAreNotShown) {
+    std::vector<std::uint8_t> classes(1024, RunOverview::left_out);
+    classes[512] = touch;
+    EXPECT_THAT(svg(ClassChart::strip(classes)), HasSubstr(cell("320.00", "0.00", "1.25")));
+    EXPECT_THAT(svg(ClassChart::strip(classes)), Not(HasSubstr(cell("0.00", "0.00", "320.00"))));
+}
+
 TEST(ClassChart, AStripShowsTheWorstOfEachBin) {
     std::vector<std::uint8_t> classes(1024, separate);
     classes[1023] = touch;

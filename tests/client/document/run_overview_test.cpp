@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -116,6 +118,45 @@ TEST(RunOverview, TheWorstAreOrderedByClassThenByPairs) {
     EXPECT_EQ(worst, (std::vector<std::uint64_t>{5, 4, 1, 2, 6, 0}));
     EXPECT_EQ(overview.value().summary().near, 3u);
     EXPECT_EQ(overview.value().summary().near_pairs, 143u);
+}
+
+TEST(RunOverview, LeavesOutTheScenariosOfOtherBodies) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> all{"truck", "car", "wall"};
+    const BodyChoice bodies = BodyChoice::of_names(std::span(all).last(1), all).value();
+    std::vector<Scenario> scenarios;
+    std::vector<ScenarioResult> results;
+    for (std::uint64_t i = 0; i < 9; ++i) {
+        Scenario scenario;
+        scenario.index = i;
+        scenario.body_a = i % 3 == 2 ? 1 : 0;
+        scenario.body_b = i % 3 == 0 ? 1 : 2;
+        scenarios.push_back(scenario);
+        ScenarioResult result;
+        result.index = i;
+        result.body_a = scenario.body_a;
+        result.body_b = scenario.body_b;
+        result.kind = ScenarioClass::Touch;
+        result.pair_count = 1;
+        result.pairs = {{0, 0, PairClass::Touch}};
+        if (i != 8 && bodies.has(result.body_a, result.body_b)) { // The last has no result.
+            results.push_back(result);
+        }
+    }
+    const auto box = share(make_box({1, 1, 1}));
+    auto overview =
+        RunOverview::read(records_of(folder, results), GroupSum({box, box, box}), 9, {});
+    ASSERT_TRUE(overview);
+    const auto poses = make_list_source(std::move(scenarios));
+    ASSERT_TRUE(overview.value().restrict_to(bodies, *poses, {}));
+    EXPECT_EQ(overview.value().bodies(), "wall");
+    EXPECT_EQ(overview.value().summary().total, 6u);
+    EXPECT_EQ(overview.value().summary().merged(), 5u) << "one of its scenarios has no result";
+    const auto touch = static_cast<std::uint8_t>(ScenarioClass::Touch);
+    const std::uint8_t out = RunOverview::left_out;
+    EXPECT_EQ(overview.value().classes(),
+              (std::vector<std::uint8_t>{
+                  out, touch, touch, out, touch, touch, out, touch, RunOverview::no_result}));
 }
 
 TEST(RunOverview, HasTheLeastDistancesAndAll) {

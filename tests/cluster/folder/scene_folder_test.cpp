@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
 
 namespace cd::tests {
 
@@ -171,6 +174,68 @@ TEST_F(SceneFolder, CanBeVerifiedRunAgainReusedAndReported) {
         testing::ContainsRegex("#[0-9]+, step [0-9]+, [a-z]+(.[0-9])? x [a-z]+(.[0-9])?, t "));
     fs::remove_all(folder_ / "out" / "inputs");
     EXPECT_EQ(digest_of(cdctl_here({"run", folder_ / "out"})), digest) << "files are read again";
+}
+
+TEST_F(SceneFolder, AReportIsOfTheBodiesThatAreNamed) {
+    write_job("level = \"pairs\"");
+    const auto manifest = run_into("out");
+    const auto report = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"report", folder_ / "out", "-o", folder_ / "report.html"};
+        words.insert(words.end(), more.begin(), more.end());
+        return cdctl_here(words);
+    };
+    const auto scenarios_of = [&](const std::string& body) {
+        std::set<std::string> scenarios; // Those in contact.
+        std::istringstream rows(read("out", "scenarios.csv"));
+        for (std::string row; std::getline(rows, row);) {
+            const bool is_hit = row.find("cross") != std::string::npos ||
+                                row.find("touch") != std::string::npos ||
+                                row.find("inside") != std::string::npos;
+            if (is_hit && row.find(body) != std::string::npos) {
+                std::istringstream cells(row); // step, time, two bodies, scenario
+                std::string scenario;
+                for (int i = 0; i < 5; ++i) {
+                    std::getline(cells, scenario, ',');
+                }
+                scenarios.insert(scenario);
+            }
+        }
+        return scenarios;
+    };
+    ASSERT_EQ(report({}).exit_code, 0);
+    const std::string whole = read_text(folder_ / "report.html");
+    EXPECT_THAT(whole, testing::Not(HasSubstr("Only scenarios of")));
+    ASSERT_FALSE(scenarios_of("wall").empty());
+    ASSERT_LT(scenarios_of("wall").size(), scenarios_of("").size());
+
+    const Ran of_wall = report({"--body", "wall", "--pictures", folder_ / "p"});
+    EXPECT_EQ(of_wall.exit_code, 0) << of_wall.errors;
+    const std::string html = read_text(folder_ / "report.html");
+    EXPECT_THAT(html, HasSubstr("Only scenarios of wall: "));
+    EXPECT_THAT(html,
+                HasSubstr("Digest of the whole run " + manifest["digest"].get<std::string>()));
+    EXPECT_THAT(html, HasSubstr("Everything that was asked was tested"));
+    EXPECT_THAT(html, testing::Not(HasSubstr("<td>ring.0 x ring.1</td>"))) << "an episode";
+    std::set<std::string> pictured;
+    for (const auto& entry : fs::directory_iterator(folder_ / "p")) {
+        const std::string name = entry.path().stem();
+        if (!name.starts_with("body")) {
+            pictured.insert(name);
+        }
+    }
+    EXPECT_FALSE(pictured.empty());
+    EXPECT_TRUE(std::ranges::includes(scenarios_of("wall"), pictured));
+    EXPECT_THAT(read_text(folder_ / "groups.csv"), testing::Not(HasSubstr("ball")));
+
+    const Ran of_both = report({"--body", "wall", "--body", "ball", "--fail-on", "touch"});
+    EXPECT_EQ(of_both.exit_code, 1) << of_both.errors;
+    EXPECT_THAT(read_text(folder_ / "report.html"), HasSubstr("Only scenarios of wall, ball: "));
+    const Ran unknown = report({"--body", "walk"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.errors, HasSubstr("no body \"walk\"; did you mean \"wall\"?"));
+    const Ran compared = report({"--body", "wall", "--baseline", folder_ / "out"});
+    EXPECT_EQ(compared.exit_code, 2);
+    EXPECT_THAT(compared.errors, HasSubstr("leave out --body"));
 }
 
 TEST_F(SceneFolder, WithoutInputsTheFileOfASplitMeshIsReadAgain) {

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace cd::tests {
 
@@ -25,6 +29,10 @@ TEST(Words, SomethingElseFindsNothing) {
     EXPECT_EQ(nearest_word("colour", known), std::nullopt);
     EXPECT_EQ(nearest_word(std::string(100'000, 'l'), known), std::nullopt);
     EXPECT_EQ(suggestion("colour", known), "; known are level, limit_pairs, maps, ignore");
+    const std::vector<std::string_view> many(30, "x1");
+    const std::string listed = suggestion("colour", many);
+    EXPECT_EQ(std::ranges::count(listed, 'x'), 20);
+    EXPECT_TRUE(listed.ends_with("x1, ..."));
 }
 
 TEST(Words, NumbersAreGroupedByThrees) {

@@ -71,6 +71,26 @@ class RecordFiles : public testing::Test {
     const std::filesystem::path path_ = folder_ / "records";
 };
 
+TEST_F(RecordFiles, RecordsThatAreNotKeptAreAsMissing) {
+    auto writer = RecordWriter::create(path_);
+    ASSERT_TRUE(writer);
+    add(writer.value(), 0, 100, 32);
+    ASSERT_TRUE(writer.value().finish());
+    auto file = RecordFile::open(path_);
+    ASSERT_TRUE(file);
+    ASSERT_NE(file.value().find(33).value(), nullptr) << "its block is kept now";
+    file.value().keep_only([](const ScenarioResult& result) { return result.index % 10 == 0; });
+    std::vector<std::uint64_t> indices;
+    ASSERT_TRUE(file.value().for_each([&](const RecordView& record) -> Status {
+        indices.push_back(record.result.index);
+        return Done{};
+    }));
+    EXPECT_EQ(indices, (std::vector<std::uint64_t>{0, 10, 20, 30, 40, 50, 60, 70, 80, 90}));
+    EXPECT_EQ(file.value().read(1).value().size(), 3u) << "40, 50 and 60";
+    EXPECT_EQ(file.value().find(33).value(), nullptr);
+    EXPECT_NE(file.value().find(50).value(), nullptr);
+}
+
 TEST_F(RecordFiles, AFileGivesBackWhatWasAdded) {
     {
         auto writer = RecordWriter::create(path_);
