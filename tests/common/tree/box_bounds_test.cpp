@@ -1,7 +1,8 @@
 // Proves that the box test loses no touching pair, however near to touching, crooked, skewed or
-// distant the boxes are: in exact terms, with every kind of pose. Also proves that its bounds are
-// needed: the search finds a test with smaller bounds wrong.
+// distant the boxes are: in exact terms, with every kind of pose; nor a pair of boxes within a
+// reach. Also proves that its bounds are needed: the search finds a test with smaller bounds wrong.
 
+#include "common/geometry/reach.hpp"
 #include "common/tree/box_test.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"
@@ -34,6 +35,7 @@ struct Boxes {
     ObbNode a;
     ObbNode b;
     PosePair poses;
+    double clearance = 0; ///< In the world: boxes at most so far apart are near.
 };
 
 /// Makes boxes that touch up to some roundings.
@@ -45,12 +47,36 @@ Boxes touching_boxes(SeededRandom& random) {
 }
 
 bool is_rejected(const Boxes& boxes, double error_scale) {
-    return !BoxTest(relative_pose(boxes.poses), error_scale).may_overlap(boxes.a, boxes.b);
+    const double reach = body_reach(boxes.poses, boxes.clearance);
+    return !BoxTest(relative_pose(boxes.poses), error_scale, reach).may_overlap(boxes.a, boxes.b);
 }
 
-void count_rejected(const Boxes& boxes, Tally& tally) {
+Boxes moved(const Boxes& boxes, const Vec3& by) {
+    Boxes there = boxes;
+    there.poses.b = with_translation(boxes.poses.b, boxes.poses.b.translation() + by);
+    return there;
+}
+
+/// True if the boxes overlap once B is moved by a vector, which is proven to be at most as long as
+/// the clearance.
+bool are_proven_near(const Boxes& boxes, const Vec3& by) {
+    const Boxes there = moved(boxes, by);
+    const ExactVec way = exact(there.poses.b.translation()) +
+                         scaled(Rational(-1), exact(boxes.poses.b.translation()));
+    const Rational clearance(boxes.clearance);
+    return dot(way, way) <= clearance * clearance && exactly_overlap(there.a, there.b, there.poses);
+}
+
+void count_rejected(const Boxes& boxes, const Vec3& towards_a, Tally& tally) {
     ++tally.rejected;
-    tally.lost += exactly_overlap(boxes.a, boxes.b, boxes.poses) ? 1 : 0;
+    const Vec3 back = boxes.clearance / towards_a.norm() * towards_a;
+    const bool is_lost =
+        are_proven_near(boxes, Vec3::Zero()) || are_proven_near(boxes, (1 - 0x1p-20) * back);
+    tally.lost += is_lost ? 1 : 0;
+}
+
+Vec3 from_a_to_b(const Boxes& boxes) {
+    return boxes.poses.b.apply(center_point(boxes.b)) - boxes.poses.a.apply(center_point(boxes.a));
 }
 
 /// Tests boxes that touch up to some roundings.
@@ -59,34 +85,31 @@ Tally search_touching(double error_scale, std::uint64_t rounds) {
     for (SeededRandom random : seeds(rounds)) {
         const Boxes boxes = touching_boxes(random);
         if (is_rejected(boxes, error_scale)) {
-            count_rejected(boxes, tally);
+            count_rejected(boxes, -from_a_to_b(boxes), tally);
         }
     }
     return tally;
 }
 
-/// Moves B away from touching until the test just rejects.
-Tally search_brinks(double error_scale, std::uint64_t rounds) {
+/// Moves B away from touching until the test just rejects. The clearance is a share of the boxes'
+/// size.
+Tally search_brinks(double error_scale, std::uint64_t rounds, double clearance = 0) {
     Tally tally;
     for (SeededRandom random : seeds(rounds)) {
-        const Boxes touching = touching_boxes(random);
-        const PosePair& at = touching.poses;
-        const Vec3 apart =
-            at.b.apply(center_point(touching.b)) - at.a.apply(center_point(touching.a));
-        const auto moved = [&](double share) {
-            const Vec3 place = at.b.translation() + share * apart;
-            return Boxes{touching.a, touching.b, {at.a, with_translation(at.b, place)}};
-        };
+        Boxes touching = touching_boxes(random);
+        touching.clearance = clearance * settings[random.seed % settings.size()].size;
+        const Vec3 apart = from_a_to_b(touching);
         double near = -0.5;
         double far = 64;
-        if (is_rejected(moved(near), error_scale) || !is_rejected(moved(far), error_scale)) {
+        if (is_rejected(moved(touching, near * apart), error_scale) ||
+            !is_rejected(moved(touching, far * apart), error_scale)) {
             continue; // The error exceeds the boxes.
         }
         for (int i = 0; i < 64; ++i) {
             const double middle = 0.5 * near + 0.5 * far;
-            (is_rejected(moved(middle), error_scale) ? far : near) = middle;
+            (is_rejected(moved(touching, middle * apart), error_scale) ? far : near) = middle;
         }
-        count_rejected(moved(far), tally);
+        count_rejected(moved(touching, far * apart), -apart, tally);
     }
     return tally;
 }
@@ -148,6 +171,17 @@ TEST(BoxBounds, SmallerBoundsLoseTouchingBoxes) {
     EXPECT_GT(search_touching(0, 400).lost, 5);
     EXPECT_GT(search_brinks(0, 60).lost, 5);
     EXPECT_GT(search_brinks(0.03, 200).lost, 0);
+}
+
+/// The reach itself is taken a little larger than it is, so only small ones show rounding errors.
+TEST(BoxBounds, BoxesWithinAReachAreNotLostButSomeAreWithSmallerBounds) {
+    for (const double clearance : {0x1p-54, 0x1p-52}) {
+        EXPECT_EQ(search_brinks(1, 200, clearance).lost, 0);
+        EXPECT_GT(search_brinks(0.03, 300, clearance).lost, 0);
+    }
+    const Tally far = search_brinks(1, 200, 0.25);
+    EXPECT_EQ(far.lost, 0);
+    EXPECT_GT(far.rejected, 100);
 }
 
 TEST(BoxBounds, ATriangleSeenFromTheOtherBodyStaysInItsBounds) {
