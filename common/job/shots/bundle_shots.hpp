@@ -3,7 +3,7 @@
 
 #include "common/core/host/stop_check.hpp"
 #include "common/geometry/pose.hpp"
-#include "common/job/result/pair_hit.hpp"
+#include "common/job/shots/settled_hits.hpp"
 #include "common/search/found_contacts.hpp"
 #include "common/search/subtree_pair.hpp"
 #include "common/tree/ignored_range.hpp"
@@ -14,13 +14,6 @@
 #include <span>
 
 namespace cd {
-
-/// A triangle and a line that hits it, with the hit.
-struct LineShot {
-    std::uint32_t triangle = 0; ///< Index in A's mesh.
-    std::uint32_t line = 0;     ///< Index in B's mesh.
-    PairHit hit;
-};
 
 /// Finds the hits of one scenario whose bundles are of parallel lines, as far as that is simple:
 /// lines that pass through the inside of each triangle they meet, at depths that round apart unless
@@ -52,10 +45,9 @@ class BundleShots {
 
     /// Moves hits to `found` that need SegmentHit: all of a line of which `found` has a contact, of
     /// which a depth is unknown, or of which two depths of different triangles round alike. Returns
-    /// the others, sorted by triangle and line; with `only_first`, the first one of each line.
-    /// Valid until `restart`. Call it once, after `collect` with depths, and only if `count` is at
-    /// most `found.pairs_max()`: further hits are not kept.
-    [[nodiscard]] std::span<const LineShot> settle(FoundContacts& found, bool only_first);
+    /// the others; with `only_first`, the first one of each line. Call it once, after `collect`
+    /// with depths, and only if `count` is at most `found.pairs_max()`: further hits are not kept.
+    [[nodiscard]] SettledHits settle(FoundContacts& found, bool only_first);
 
     /// Returns the statistics since `restart`.
     [[nodiscard]] QueryStatistics statistics() const;

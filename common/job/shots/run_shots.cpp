@@ -85,34 +85,35 @@ struct Shots {
         return true;
     }
 
-    /// Removes the pairs that are not kept, and adds hits that are known already, sorted like
-    /// pairs.
-    void merge(std::span<const LineShot> known) {
-        std::vector<ContactPair> all_pairs;
-        std::vector<PairHit> all_hits;
-        all_pairs.reserve(pairs.size() + known.size());
-        all_hits.reserve(pairs.size() + known.size());
-        auto next = known.begin();
-        const auto add_known_before = [&](const ContactPair* pair) {
-            for (; next != known.end(); ++next) {
-                const ContactPair one{next->triangle, next->line, PairClass::Touch};
-                if (pair != nullptr && *pair < one) {
-                    return;
-                }
-                all_pairs.push_back(one);
-                all_hits.push_back(next->hit);
-            }
+    /// Removes the pairs that are not kept, and adds hits that are settled.
+    void merge(SettledHits settled) {
+        if (pairs.empty()) {
+            pairs = std::move(settled.pairs);
+            hits = std::move(settled.hits);
+            return;
+        }
+        SettledHits all;
+        all.pairs.reserve(pairs.size() + settled.pairs.size());
+        all.hits.reserve(all.pairs.capacity());
+        auto next = settled.pairs.begin();
+        const auto add_settled = [&](std::vector<ContactPair>::iterator end) {
+            const auto hit = settled.hits.begin() + (next - settled.pairs.begin());
+            all.hits.insert(all.hits.end(), hit, hit + (end - next));
+            all.pairs.insert(all.pairs.end(), next, end);
+            next = end;
         };
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             if (are_kept[i]) {
-                add_known_before(&pairs[i]);
-                all_pairs.push_back(pairs[i]);
-                all_hits.push_back(hits[i]);
+                add_settled(std::find_if(next, settled.pairs.end(), [&](const ContactPair& pair) {
+                    return pairs[i] < pair;
+                }));
+                all.pairs.push_back(pairs[i]);
+                all.hits.push_back(hits[i]);
             }
         }
-        add_known_before(nullptr);
-        pairs = std::move(all_pairs);
-        hits = std::move(all_hits);
+        add_settled(settled.pairs.end());
+        pairs = std::move(all.pairs);
+        hits = std::move(all.hits);
     }
 
     [[nodiscard]] std::vector<ContactPair> crossings() const {
@@ -199,7 +200,7 @@ bool find_shots(KeptSearch& kept,
         run.result = too_many(count, scenario, query);
         return true;
     }
-    const std::span<const LineShot> known = bundles.settle(found, query.first_hits);
+    SettledHits settled = bundles.settle(found, query.first_hits);
     found.sort();
     Shots shots;
     shots.pairs = found.take_pairs();
@@ -212,7 +213,7 @@ bool find_shots(KeptSearch& kept,
     if (!shots.find(*kept.lines, query.first_hits, options.stop)) {
         return false;
     }
-    shots.merge(known);
+    shots.merge(std::move(settled));
     set_count(shots.pairs.size(), run.result);
     if (query.maps) {
         run.found = shots.crossings();

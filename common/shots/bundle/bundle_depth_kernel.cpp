@@ -74,71 +74,108 @@ struct Lines {
         : start(set(bundle.start)),
           across{set(bundle.across[0]), set(bundle.across[1])},
           minus_way(set(bundle.minus_way)) {}
-
-    HWY_INLINE Vector start_of(V y, V z) const {
-        Vector place;
-        for (std::size_t k = 0; k < 3; ++k) {
-            place.at[k] = start.at[k] + across[0].at[k] * y + across[1].at[k] * z;
-        }
-        return place;
-    }
 };
 
-/// Returns the depths of one vector of hits, NaN where the bounds prove no rounding.
-HWY_INLINE V depths_at(const BundleInA& bundle,
-                       const Lines& lines,
-                       double scale,
-                       const DepthsOfMany& many,
-                       std::size_t first) {
+/// The depths of triangles' planes, by triangle: at the line at (y, z), the depth is
+/// high[0] + low[0] + y (high[1] + low[1]) + z (high[2] + low[2]), within the margin. That is NaN
+/// where there are no bounds.
+struct Planes {
+    alignas(64) DepthsOfMany::OfTriangles high[3];
+    alignas(64) DepthsOfMany::OfTriangles low[3];
+    alignas(64) DepthsOfMany::OfTriangles margin;
+};
+
+/// Finds the planes of one vector of triangles.
+HWY_INLINE void find_planes_at(const BundleInA& bundle,
+                               const Lines& lines,
+                               double scale,
+                               const DepthsOfMany& many,
+                               std::size_t first,
+                               Planes& planes) {
     const Doubles d;
     const Corner a = load(many, 0, first);
     const Vector u = edge(a, load(many, 1, first));
     const Vector v = edge(a, load(many, 2, first));
     const Vector normal = cross(u, v);
-    const Vector start =
-        lines.start_of(hn::Load(d, &many.across[0][first]), hn::Load(d, &many.across[1][first]));
     const V zero = hn::Zero(d);
     const Vector corner(Number(a.at[0], zero), Number(a.at[1], zero), Number(a.at[2], zero));
-    const Vector from = start - corner;
-    const Number side = dot(normal, from);
+    const Vector from = lines.start - corner;
     const Number apart = dot(normal, lines.minus_way);
 
     const V x = scaled(hn::Max(largest_of(u), largest_of(v)), 1.01);
-    const V z = scaled(hn::Max(largest_of(start), largest_of(corner)), 1.01);
+    const V z = scaled(hn::Max(largest_of(lines.start), largest_of(corner)), 1.01);
     const V start_error =
         hn::Add(double_double_lanes::set(bundle.start_error), scaled(z, 2 * e * scale));
     const V w = hn::Add(scaled(largest_of(from), 1.01), scaled(start_error, 2));
     const V square = hn::Mul(x, x);
-    const V side_error =
-        hn::Mul(square, hn::Add(scaled(start_error, 8), scaled(w, 36 * e * scale)));
+    const V across_error = double_double_lanes::set(300 * e * scale * bundle.across_size);
+    const V side_error = hn::Mul(
+        square, hn::Add(hn::Add(scaled(start_error, 8), scaled(w, 36 * e * scale)), across_error));
     const V apart_error = scaled(square, 7 * bundle.way_error + 24 * e * scale * bundle.way_size);
     const V error = hn::Add(side_error, apart_error);
     const V size = hn::Abs(apart.high);
 
-    const Number depth = side / apart * double_double_lanes::set(bundle.length);
-    const V share_error =
-        hn::Add(hn::Div(scaled(error, 1.2), size), double_double_lanes::set(8 * e * scale));
-    const V margin = hn::Add(scaled(share_error, 1.01 * bundle.length),
-                             scaled(hn::Abs(depth.high), scale * 0x1p-104));
-    const V least = hn::Add(depth.high, hn::Sub(depth.low, margin));
-    const V most = hn::Add(depth.high, hn::Add(depth.low, margin));
-    const M is_known = hn::And(hn::And(is_in_range(x), is_in_range(z)),
-                               hn::And(hn::Gt(size, scaled(error, 4)), hn::Eq(least, most)));
-    return choose(is_known, least, double_double_lanes::set(NAN));
+    const Number per_side = Number(double_double_lanes::set(bundle.length), zero) / apart;
+    const Number depths[3] = {dot(normal, from) * per_side,
+                              dot(normal, lines.across[0]) * per_side,
+                              dot(normal, lines.across[1]) * per_side};
+    const V steepest = hn::Max(hn::Abs(depths[1].high), hn::Abs(depths[2].high));
+    const V terms = hn::Add(hn::Abs(depths[0].high), scaled(steepest, bundle.across_size));
+    const V margin = hn::Add(hn::Div(scaled(error, 1.21 * bundle.length), size),
+                             scaled(terms, 10.1 * e * scale));
+    const M is_known =
+        hn::And(hn::And(is_in_range(x), is_in_range(z)), hn::Gt(size, scaled(error, 4)));
+    for (std::size_t i = 0; i < 3; ++i) {
+        hn::Store(depths[i].high, d, &planes.high[i][first]);
+        hn::Store(depths[i].low, d, &planes.low[i][first]);
+    }
+    hn::Store(choose(is_known, margin, double_double_lanes::set(NAN)), d, &planes.margin[first]);
 }
 
-void find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
+/// Finds the depths of a triangle's lines, NaN where the margin proves no rounding. Returns the
+/// lanes all of whose depths are proven.
+HWY_INLINE M find_depths_of(const Planes& planes, std::size_t triangle, DepthsOfMany& many) {
     const Doubles d;
-    const Lines lines(*bundle);
-    for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
-        hn::Store(depths_at(*bundle, lines, scale, *many, first), d, &many->depths[first]);
+    const auto term = [&](std::size_t i) {
+        return Number(double_double_lanes::set(planes.high[i][triangle]),
+                      double_double_lanes::set(planes.low[i][triangle]));
+    };
+    const Number depth_at_0 = term(0);
+    const Number along_y = term(1);
+    const Number along_z = term(2);
+    const V margin = double_double_lanes::set(planes.margin[triangle]);
+    const std::size_t end = many.begins[triangle + 1];
+    M are_proven = always();
+    for (std::size_t i = many.begins[triangle]; i < end; i += hn::Lanes(d)) {
+        const V y = hn::LoadU(d, &many.across[0][i]);
+        const V z = hn::LoadU(d, &many.across[1][i]);
+        const Number depth = depth_at_0 + (along_y * y + along_z * z);
+        const V least = hn::Add(depth.high, hn::Sub(depth.low, margin));
+        const V most = hn::Add(depth.high, hn::Add(depth.low, margin));
+        const M is_proven = hn::Eq(least, most);
+        hn::StoreU(choose(is_proven, least, double_double_lanes::set(NAN)), d, &many.depths[i]);
+        are_proven = hn::And(are_proven, is_proven);
     }
+    return are_proven;
+}
+
+bool find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
+    const Lines lines(*bundle);
+    Planes planes;
+    M are_proven = always();
+    for (std::size_t first = 0; first < count; first += hn::Lanes(Doubles())) {
+        find_planes_at(*bundle, lines, scale, *many, first, planes);
+    }
+    for (std::size_t triangle = 0; triangle < count; ++triangle) {
+        are_proven = hn::And(are_proven, find_depths_of(planes, triangle, *many));
+    }
+    return hn::AllTrue(Doubles(), are_proven);
 }
 
 } // namespace bundle_depths
 
-void find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
-    bundle_depths::find_depths_on(bundle, scale, count, many);
+bool find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
+    return bundle_depths::find_depths_on(bundle, scale, count, many);
 }
 
 } // namespace HWY_NAMESPACE
@@ -151,11 +188,11 @@ namespace cd {
 
 HWY_EXPORT(find_depths_on);
 
-void find_depths(const BundleInA& bundle,
+bool find_depths(const BundleInA& bundle,
                  double bound_scale,
                  std::size_t count,
                  DepthsOfMany& of_many) {
-    HWY_DYNAMIC_DISPATCH(find_depths_on)(&bundle, bound_scale, count, &of_many);
+    return HWY_DYNAMIC_DISPATCH(find_depths_on)(&bundle, bound_scale, count, &of_many);
 }
 
 } // namespace cd

@@ -10,21 +10,28 @@
 // times at most R each: a start errs by less than 64 e R. Likewise -way errs by 45 e |way| and two
 // roundings, less than 50 e |way|.
 //
-// Sides: those of DoubleDoubleDepth (double_double_depth.cpp), whose X, Z, W and h the kernel calls
-// x, z, w and `start_error`: the side s of a start errs by ds = X^2 (8 h + 36 e W).
+// The side of the line at (y, z) is s0 + y s1 + z s2, with s0 = n.(start - corner) for the line at
+// (0, 0) and the scalar products s1, s2 of the normal n and the columns of M for y and z.
 //
-// Difference of the sides, n.(-way): a component of the normal n is at most 2 X^2 and errs by
-// 4 e X^2. With g for the error of -way, the product on axis k errs by 2 X^2 g + (4 + 2) e X^2
-// |way_k|, and the sizes |way_k| sum to at most 1.74 |way|: three products err by 6 X^2 g + 10.5 e
-// X^2 |way|, and two sums by 7 e X^2 |way|. dd = X^2 (7 g + 24 e |way|) has room.
+// Sides: that of a start is bounded as in DoubleDoubleDepth (double_double_depth.cpp), whose X, Z,
+// W and h the kernel calls x, z, w and `start_error`: s0 errs by X^2 (8 h + 36 e W). A component of
+// n is at most 2 X^2 and errs by 4 e X^2. Its product with an entry m of a column errs by 2 X^2
+// 45 e + (4 + 2) e X^2 |m|, and the sizes |m| sum to at most 1.74: three products err by 281 e X^2,
+// two sums by 7 e X^2. So s1 and s2 err by less than 300 e X^2, and with Y for the most that |y| +
+// |z| can be, ds = X^2 (8 h + 36 e W + 300 e Y).
 //
-// Share: |s / a - s' / a'| <= (ds + dd |s' / a'|) / |a| for the difference a and true values s',
-// a', and the true share is between 0 and 1: (ds + dd) / |a|. Quotient and product with the length
-// err by another 3 e, relatively; as in DoubleDoubleDepth, length * (1.2 (ds + dd) / |a| + 8 e) has
+// Difference of the sides, n.(-way): with g for the error of -way, the product on axis k errs by
+// 2 X^2 g + (4 + 2) e X^2 |way_k|, and the sizes |way_k| sum to at most 1.74 |way|: three products
+// err by 6 X^2 g + 10.5 e X^2 |way|, and two sums by 7 e X^2 |way|. dd = X^2 (7 g + 24 e |way|) has
 // room.
+//
+// Depth: |s / a - s' / a'| <= (ds + dd |s' / a'|) / |a| for the difference a and true values s',
+// a', and the true share is between 0 and 1: (ds + dd) / |a|. The depth is the sum of three terms,
+// si * (length / a) times 1, y or z. Each errs by 4 e, relatively, for a quotient and two products,
+// and two sums err by 2 e T for the sum T of the terms' sizes. Rounding adds u^2 of the depth, 2
+// times: below 8 e T in all. length * 1.2 (ds + dd) / |a| + 10 e T has room.
 #include "common/shots/bundle/bundle_depths.hpp"
 
-#include "common/core/check.hpp"
 #include "common/pair/stages/double_double/double_double_local.hpp"
 #include "common/pair/stages/double_double/double_double_rotation.hpp"
 #include "common/shots/rigid_pose.hpp"
@@ -87,7 +94,11 @@ BundleDepths::BundleDepths(double bound_scale)
 }
 
 void BundleDepths::restart(const PosePair& poses, const ParallelLines& lines) {
-    count_ = 0;
+    triangles_ = 0;
+    lines_ = 0;
+    depths_.clear();
+    is_taken_ = false;
+    rows_ = lines.rows();
     aligned_ = aligned_axis(poses, lines);
     const DoubleDoubleMatrix a = double_double_rotation(poses.a);
     const DoubleDoubleMatrix b = double_double_rotation(poses.b);
@@ -108,8 +119,8 @@ void BundleDepths::restart(const PosePair& poses, const ParallelLines& lines) {
     bundle_.minus_way = times(along, back);
     bundle_.way_size = 1.01 * std::abs(back.high);
     bundle_.way_error = 50 * e * bundle_.way_size * bound_scale_;
-    const double reach = (to - from).cwiseAbs().sum() + std::abs(ends[0]) +
-                         largest_across(lines, 0) + largest_across(lines, 1);
+    bundle_.across_size = 1.01 * (largest_across(lines, 0) + largest_across(lines, 1));
+    const double reach = (to - from).cwiseAbs().sum() + std::abs(ends[0]) + bundle_.across_size;
     bundle_.start_error = 64 * e * reach * bound_scale_;
     Segment line{Vec3::Zero(), Vec3::Zero()};
     line.p.x() = ends[0];
@@ -153,39 +164,75 @@ std::optional<BundleDepths::AlignedAxis> BundleDepths::aligned_axis(const PosePa
 
 /// Returns the depth of a triangle across the lines, which often lies midway between two doubles,
 /// where no error bound proves the rounding.
-std::optional<double> BundleDepths::aligned_depth(std::size_t place) const {
+std::optional<double> BundleDepths::aligned_depth(std::size_t triangle) const {
     const auto& corners = many_->corners;
     const std::size_t axis = aligned_->axis;
-    const double x = corners[0][axis][place];
-    if (corners[1][axis][place] != x || corners[2][axis][place] != x) {
+    const double x = corners[0][axis][triangle];
+    if (corners[1][axis][triangle] != x || corners[2][axis][triangle] != x) {
         return std::nullopt;
     }
     const auto& [a, b, c] = aligned_->terms;
     return nearest_sum<4>({aligned_->sign * x, a, b, c});
 }
 
-void BundleDepths::add(const Corners& a, const std::array<double, 2>& across) {
-    CD_CHECK(!is_full());
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            many_->corners[i][k][count_] = a[i][static_cast<Eigen::Index>(k)];
-        }
+void BundleDepths::add(const Corners& a, std::span<const std::uint32_t> lines) {
+    if (is_taken_) {
+        depths_.clear();
+        is_taken_ = false;
     }
-    many_->across[0][count_] = across[0];
-    many_->across[1][count_] = across[1];
-    ++count_;
+    while (!lines.empty()) {
+        if (triangles_ == DepthsOfMany::triangles_most || lines_ == DepthsOfMany::lines_most) {
+            find_waiting();
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                many_->corners[i][k][triangles_] = a[i][static_cast<Eigen::Index>(k)];
+            }
+        }
+        many_->begins[triangles_++] = lines_;
+        const std::size_t count = std::min(lines.size(), DepthsOfMany::lines_most - lines_);
+        for (const std::uint32_t line : lines.first(count)) {
+            many_->across[0][lines_] = rows_.across[0][line];
+            many_->across[1][lines_] = rows_.across[1][line];
+            ++lines_;
+        }
+        lines = lines.subspan(count);
+    }
 }
 
 std::span<const double> BundleDepths::take() {
-    find_depths(bundle_, bound_scale_, count_, *many_);
-    for (std::size_t i = 0; aligned_ && i < count_; ++i) {
-        if (std::isnan(many_->depths[i])) {
-            many_->depths[i] = aligned_depth(i).value_or(NAN);
+    if (is_taken_) {
+        return {};
+    }
+    find_waiting();
+    is_taken_ = true;
+    return depths_;
+}
+
+void BundleDepths::find_waiting() {
+    many_->begins[triangles_] = lines_;
+    if (!find_depths(bundle_, bound_scale_, triangles_, *many_) && aligned_) {
+        for (std::size_t triangle = 0; triangle < triangles_; ++triangle) {
+            align(triangle);
         }
     }
-    const std::span<const double> depths(many_->depths.data(), count_);
-    count_ = 0;
-    return depths;
+    const auto begin = many_->depths.begin();
+    depths_.insert(depths_.end(), begin, begin + static_cast<std::ptrdiff_t>(lines_));
+    triangles_ = 0;
+    lines_ = 0;
+}
+
+/// Finds depths of a triangle that bounds do not prove.
+void BundleDepths::align(std::size_t triangle) {
+    const std::span<double> depths =
+        std::span(many_->depths)
+            .subspan(many_->begins[triangle],
+                     many_->begins[triangle + 1] - many_->begins[triangle]);
+    if (std::ranges::any_of(depths, [](double depth) { return std::isnan(depth); })) {
+        const double depth = aligned_depth(triangle).value_or(NAN);
+        std::ranges::replace_if(
+            depths, [](double each) { return std::isnan(each); }, depth);
+    }
 }
 
 } // namespace cd

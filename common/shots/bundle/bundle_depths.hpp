@@ -8,9 +8,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace cd {
 
@@ -25,14 +27,13 @@ class BundleDepths {
     /// less to show that the bounds are needed.
     explicit BundleDepths(double bound_scale = 1);
 
-    /// Selects poses that suit, and the bundle.
+    /// Selects poses that suit, and the bundle, which outlives all calls of `add`.
     void restart(const PosePair& poses, const ParallelLines& lines);
 
-    [[nodiscard]] bool is_full() const { return count_ == DepthsOfMany::most; }
-    /// Adds a triangle of A and the line at a place across; not when it is full.
-    void add(const Corners& a, const std::array<double, 2>& across);
-    /// Returns the depths of what was added since the last call, in that order, NaN where the
-    /// bounds prove none. Valid until the next call of `add`.
+    /// Adds a triangle of A and lines that pass through it, by their places in `LineRows`.
+    void add(const Corners& a, std::span<const std::uint32_t> lines);
+    /// Returns the depths of all lines that were added since the last call, in that order, NaN
+    /// where the bounds prove none. Valid until the next call of `add`.
     [[nodiscard]] std::span<const double> take();
 
   private:
@@ -45,13 +46,19 @@ class BundleDepths {
     };
     [[nodiscard]] static std::optional<AlignedAxis> aligned_axis(const PosePair& poses,
                                                                  const ParallelLines& lines);
-    [[nodiscard]] std::optional<double> aligned_depth(std::size_t place) const;
+    [[nodiscard]] std::optional<double> aligned_depth(std::size_t triangle) const;
+    void find_waiting();
+    void align(std::size_t triangle);
 
     double bound_scale_;
     BundleInA bundle_;
+    LineRows rows_{};
     std::optional<AlignedAxis> aligned_;
-    std::unique_ptr<DepthsOfMany> many_;
-    std::size_t count_ = 0;
+    std::unique_ptr<DepthsOfMany> many_; ///< What was added, but for what has its depth.
+    std::size_t triangles_ = 0;          ///< Of `many_`.
+    std::size_t lines_ = 0;              ///< Of `many_`.
+    bool is_taken_ = false;
+    std::vector<double> depths_;
 };
 
 } // namespace cd

@@ -55,9 +55,10 @@ bool BundleSearch::start(const WideView& a, const ParallelLines& lines, const Po
 }
 
 BundleSearch::Found BundleSearch::next() {
-    passes_.clear();
-    open_.clear();
-    while (passes_.size() + open_.size() < found_at_once && !is_done()) {
+    found_.triangles.clear();
+    found_.lines.clear();
+    found_.open.clear();
+    while (found_.lines.size() + found_.open.size() < found_at_once && !is_done()) {
         if (waiting_.size() == waiting_most || stack_.empty()) {
             const Leaf leaf = waiting_.front();
             waiting_.erase(waiting_.begin());
@@ -68,7 +69,7 @@ BundleSearch::Found BundleSearch::next() {
             visit(a_.nodes[node]);
         }
     }
-    return {passes_, open_};
+    return {found_.triangles, found_.lines, found_.open};
 }
 
 /// Returns a bit mask of the children that may meet lines.
@@ -129,20 +130,24 @@ void BundleSearch::test_leaf(const Leaf& leaf) {
 /// Adds the marked pairs of the block with the given first slot.
 void BundleSearch::add_marked(std::uint32_t first_slot) {
     const bool rises = lines_->ends()[1] > lines_->ends()[0];
-    tests_.lines += marked_.tested;
-    for (std::size_t i = 0; i < marked_.count; ++i) {
-        const std::uint32_t triangle = marked_.triangles[i];
-        const std::uint32_t line = marked_.lines[i];
+    const MarkedPairs& marked = marked_;
+    tests_.lines += marked.tested - marked.open;
+    const auto end = static_cast<std::uint32_t>(found_.lines.size());
+    for (std::uint32_t run = 0; run < marked.runs; ++run) {
+        const auto& [triangle, begin, turns_left] = marked.of_triangles[run];
         const std::uint32_t slot = first_slot + placed_.places[triangle];
-        const bool is_between = (placed_.between >> triangle & 1) != 0;
-        if (marked_.passes[i] == LinePasses::Unknown || !is_between) {
-            open_.push_back({slot, lines_->slots()[line]});
-            --tests_.lines;
-            continue;
+        // The lines of a triangle may come in several calls of the kernel.
+        if (found_.triangles.empty() || found_.triangles.back().slot != slot) {
+            const int side = turns_left == rises ? hit_flag::back : hit_flag::front;
+            const int flags = hit_flag::crosses | side;
+            found_.triangles.push_back({slot, end + begin, static_cast<std::uint8_t>(flags)});
         }
-        const bool is_back = (marked_.passes[i] == LinePasses::Along) == rises;
-        const int side = is_back ? hit_flag::back : hit_flag::front;
-        passes_.push_back({slot, line, static_cast<std::uint8_t>(hit_flag::crosses | side)});
+    }
+    found_.lines.insert(
+        found_.lines.end(), marked.passing.begin(), marked.passing.begin() + marked.passes);
+    for (std::uint32_t i = 0; i < marked.open; ++i) {
+        const std::uint32_t slot = first_slot + placed_.places[marked.open_triangles[i]];
+        found_.open.push_back({slot, lines_->slots()[marked.open_lines[i]]});
     }
 }
 

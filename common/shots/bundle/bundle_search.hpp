@@ -5,6 +5,7 @@
 #include "common/pair/triangle_pair.hpp"
 #include "common/shots/bundle/bundle_boxes_kernel.hpp"
 #include "common/shots/bundle/bundle_frame.hpp"
+#include "common/shots/bundle/bundle_marks_kernel.hpp"
 #include "common/shots/bundle/bundle_triangles_kernel.hpp"
 #include "common/shots/bundle/parallel_lines.hpp"
 #include "common/tree/wide/wide_node.hpp"
@@ -16,13 +17,12 @@
 
 namespace cd {
 
-/// A line that passes through the inside of a triangle, with both its ends outside of the plane.
-struct LinePass {
-    std::uint32_t triangle = 0; ///< Slot of A.
-    std::uint32_t line = 0;     ///< Place among the lines.
-    std::uint8_t flags = 0;     ///< `hit_flag::crosses` and the side.
-
-    friend bool operator==(const LinePass&, const LinePass&) = default;
+/// A triangle, and where the lines begin that pass through its inside, with both their ends outside
+/// of its plane.
+struct PassedTriangle {
+    std::uint32_t slot = 0; ///< Of A.
+    std::uint32_t begin = 0;
+    std::uint8_t flags = 0; ///< `hit_flag::crosses` and the side.
 };
 
 /// The search projects A along the lines. A line that is at a positive distance from the shadows of
@@ -43,10 +43,20 @@ class BundleSearch {
 
     /// Some pairs of triangles and lines, valid until the next call.
     struct Found {
-        std::span<const LinePass> passes;
-        std::span<const Candidate> open; ///< Pairs of slots of A and B that may meet.
+        std::span<const PassedTriangle> triangles;
+        std::span<const std::uint32_t> lines; ///< Places among the lines.
+        std::span<const Candidate> open;      ///< Pairs of slots of A and B that may meet.
+
+        /// Returns the lines that pass through a triangle of the list.
+        [[nodiscard]] std::span<const std::uint32_t> lines_of(std::size_t i) const {
+            const std::size_t begin = triangles[i].begin;
+            const std::size_t end =
+                i + 1 < triangles.size() ? triangles[i + 1].begin : lines.size();
+            return lines.subspan(begin, end - begin);
+        }
     };
-    /// Continues the search until it has found some pairs or is done. Never tells a pair twice.
+    /// Continues the search until it has found some pairs or is done. Never tells a pair, nor the
+    /// passes of a triangle, twice.
     [[nodiscard]] Found next();
 
     /// Returns the number of boxes tested since construction.
@@ -70,6 +80,12 @@ class BundleSearch {
         std::uint64_t boxes = 0;
         std::uint64_t lines = 0;
     };
+    /// What `Found` shows.
+    struct Lists {
+        std::vector<PassedTriangle> triangles;
+        std::vector<std::uint32_t> lines;
+        std::vector<Candidate> open;
+    };
     /// Leaves wait for their triangles to arrive from memory.
     static constexpr std::size_t waiting_most = 8;
 
@@ -87,8 +103,7 @@ class BundleSearch {
     std::vector<Leaf> waiting_; ///< At most `waiting_most`, the oldest first.
     BlockAcross placed_;        ///< The triangles of the leaf that is tested.
     MarkedPairs marked_;
-    std::vector<LinePass> passes_;
-    std::vector<Candidate> open_;
+    Lists found_;
     Tests tests_;
 };
 

@@ -161,115 +161,6 @@ void place_doubles(const double* from,
     place(from, count, corners, triangles, *frame, *bundle, *placed);
 }
 
-/// Returns twice the area of the triangle of the origin and two points, positive if it turns left.
-HWY_INLINE V turn(V from_x, V from_y, V to_x, V to_y) {
-    return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
-}
-
-/// A triangle's corners across the lines and the bound of its turns, the same in all lanes.
-struct Target {
-    HWY_INLINE Target(const BlockAcross& placed, std::size_t triangle)
-        : error(set(placed.turn_error[triangle])) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            x[i] = set(placed.corners[1][i][triangle]);
-            y[i] = set(placed.corners[2][i][triangle]);
-        }
-    }
-
-    V x[3];
-    V y[3];
-    V error;
-};
-
-/// Marks the lines of one vector, of which the first `valid` count.
-HWY_INLINE void mark_vector(const Target& target,
-                            std::uint32_t triangle,
-                            const LineRows& lines,
-                            std::uint32_t first,
-                            std::uint32_t valid,
-                            MarkedPairs& marked) {
-    const Doubles d;
-    const V line_x = hn::LoadU(d, lines.across[0] + first);
-    const V line_y = hn::LoadU(d, lines.across[1] + first);
-    V x[3];
-    V y[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        x[i] = hn::Sub(target.x[i], line_x);
-        y[i] = hn::Sub(target.y[i], line_y);
-    }
-    const V turns[3] = {
-        turn(x[0], y[0], x[1], y[1]), turn(x[1], y[1], x[2], y[2]), turn(x[2], y[2], x[0], y[0])};
-    const V least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
-    const V most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
-    const V minus_error = hn::Neg(target.error);
-    const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
-    std::uint32_t left = ~bits_of(d, misses) & ((1u << valid) - 1);
-    if (left == 0) {
-        return;
-    }
-    const std::uint32_t along = bits_of(d, hn::Gt(least, target.error));
-    const std::uint32_t against = bits_of(d, hn::Lt(most, minus_error));
-    for (; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-        marked.lines[marked.count] = first + lane;
-        marked.triangles[marked.count] = static_cast<std::uint8_t>(triangle);
-        marked.passes[marked.count] =
-            static_cast<LinePasses>((along >> lane & 1) | (against >> lane & 1) << 1);
-        ++marked.count;
-    }
-}
-
-/// Returns whether some line may have a coordinate in a triangle's box on one axis. A line in the
-/// first bin does if the box begins before the bin's last line, one in the last bin if the box ends
-/// behind its first line, and any line between these bins does.
-HWY_INLINE bool holds_coordinate(const BlockAcross& placed,
-                                 const BundleAcross& bundle,
-                                 std::size_t which,
-                                 std::size_t triangle) {
-    const BundleAcross::Axis& axis = bundle.axes[which];
-    const std::int32_t first = placed.first[which][triangle];
-    const std::int32_t last = placed.last[which][triangle];
-    const bool is_below = placed.low[which][triangle] <= axis.most_of_bins[first];
-    const bool is_above = placed.high[which][triangle] >= axis.least_of_bins[last];
-    return first == last ? is_below & is_above : is_below | is_above | (last - first > 1);
-}
-
-bool mark_pairs_on(const BlockAcross* placed,
-                   const BundleAcross* bundle,
-                   const LineRows* lines,
-                   LineWalk* walk,
-                   MarkedPairs* marked) {
-    constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
-    marked->count = 0;
-    marked->tested = 0;
-    for (; walk->triangle < placed->count; ++walk->triangle, walk->row = 0) {
-        const std::uint32_t triangle = walk->triangle;
-        if (!(holds_coordinate(*placed, *bundle, 0, triangle) &
-              holds_coordinate(*placed, *bundle, 1, triangle))) {
-            continue;
-        }
-        const Target target(*placed, triangle);
-        const auto column = static_cast<std::uint32_t>(placed->first[0][triangle]);
-        const auto column_end = static_cast<std::uint32_t>(placed->last[0][triangle]) + 1;
-        const auto first_row = static_cast<std::uint32_t>(placed->first[1][triangle]);
-        const auto rows = static_cast<std::uint32_t>(placed->last[1][triangle]) + 1 - first_row;
-        for (; walk->row < rows; ++walk->row, walk->line = 0) {
-            const std::uint32_t begin = lines->begin_of(column, first_row + walk->row);
-            const std::uint32_t end = lines->begin_of(column_end, first_row + walk->row);
-            for (std::uint32_t i = begin + walk->line; i < end; i += lanes) {
-                if (marked->count + lanes > MarkedPairs::most) {
-                    walk->line = i - begin;
-                    return false;
-                }
-                const std::uint32_t valid = end - i < lanes ? end - i : lanes;
-                mark_vector(target, triangle, *lines, i, valid, *marked);
-                marked->tested += valid;
-            }
-        }
-    }
-    return true;
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace cd
 HWY_AFTER_NAMESPACE();
@@ -280,7 +171,6 @@ namespace cd {
 
 HWY_EXPORT(place_floats);
 HWY_EXPORT(place_doubles);
-HWY_EXPORT(mark_pairs_on);
 
 /// With u = 2^-53, e for the error and L, M for the bounds of differences on the two axes, L + M =
 /// S: a computed difference of a corner and a line is at most L and errs by e + u L. The product of
@@ -329,14 +219,6 @@ void place_block(const TriangleBlocks& blocks,
         HWY_DYNAMIC_DISPATCH(place_doubles)
         (&blocks.doubles[first], count, corners, triangles, &frame, &bundle, &placed);
     }
-}
-
-bool mark_pairs(const BlockAcross& placed,
-                const BundleAcross& bundle,
-                const LineRows& lines,
-                LineWalk& walk,
-                MarkedPairs& marked) {
-    return HWY_DYNAMIC_DISPATCH(mark_pairs_on)(&placed, &bundle, &lines, &walk, &marked);
 }
 
 } // namespace cd

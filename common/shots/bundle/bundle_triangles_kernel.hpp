@@ -66,37 +66,4 @@ void place_block(const TriangleBlocks& blocks,
                  const BundleAcross& bundle,
                  BlockAcross& placed);
 
-/// What doubles prove of a line and a triangle that it does not miss.
-enum class LinePasses : std::uint8_t {
-    Unknown = 0,
-    Along = 1,   ///< Passes through the inside, and the corners turn left seen along the axis.
-    Against = 2, ///< Passes through the inside, and the corners turn right.
-};
-
-/// Pairs of placed triangles and lines that doubles do not prove to be apart.
-struct MarkedPairs {
-    static constexpr std::size_t most = 256;
-
-    std::size_t count = 0;
-    std::uint64_t tested = 0;                 ///< All pairs looked at.
-    std::array<std::uint32_t, most> lines;    ///< Numbers of lines.
-    std::array<std::uint8_t, most> triangles; ///< Numbers of placed triangles.
-    std::array<LinePasses, most> passes;
-};
-
-/// A walk over the lines in the bins of placed triangles.
-struct LineWalk {
-    std::uint32_t triangle = 0; ///< The present triangle.
-    std::uint32_t row = 0;      ///< Rows of its bins that are done.
-    std::uint32_t line = 0;     ///< Lines of the present row that are done.
-};
-
-/// Marks pairs until all are marked or there is no more room. Returns whether all are marked; if
-/// not, another call goes on.
-[[nodiscard]] bool mark_pairs(const BlockAcross& placed,
-                              const BundleAcross& bundle,
-                              const LineRows& lines,
-                              LineWalk& walk,
-                              MarkedPairs& marked);
-
 } // namespace cd

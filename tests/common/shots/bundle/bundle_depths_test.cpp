@@ -12,12 +12,29 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace cd::tests {
 
 namespace {
+
+std::vector<std::uint32_t> iota(std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
+/// Returns the depth of one line and triangle, in the world.
+double alone(const ParallelLines& lines, const Corners& t, std::uint32_t place) {
+    BundleDepths depths;
+    depths.restart({}, lines);
+    depths.add(t, {&place, 1});
+    return depths.take()[0];
+}
 
 struct Judged {
     int proven = 0;
@@ -38,7 +55,6 @@ void for_each_depth(const BundleCase& c, double bound_scale, const Judge& judge)
     BundleDepths depths(bound_scale);
     depths.restart(c.poses, lines);
     SegmentHit exact(c.poses, HitStage::Integer);
-    const LineRows rows = lines.rows();
     for (std::uint32_t place = 0; place < lines.slots().size(); ++place) {
         const Segment& line = c.lines[tree.view().wide.triangles.ids[lines.slots()[place]]];
         for (std::uint32_t i = 0; i < c.body.triangles().size(); ++i) {
@@ -46,7 +62,7 @@ void for_each_depth(const BundleCase& c, double bound_scale, const Judge& judge)
             const auto flags = exact.flags(t, line);
             if (flags && (*flags & hit_flag::crosses) != 0 &&
                 (*flags & (hit_flag::edge | hit_flag::corner)) == 0) {
-                depths.add(t, {rows.across[0][place], rows.across[1][place]});
+                depths.add(t, {&place, 1});
                 judge(t, line, depths.take()[0]);
             }
         }
@@ -139,18 +155,21 @@ TEST(BundleDepths, ManyAreTakenAtOnce) {
     ASSERT_TRUE(lines.assign(tree.view().wide));
     BundleDepths depths;
     depths.restart({}, lines);
-    std::size_t count = 0;
-    while (!depths.is_full()) {
-        const double x = -2 + 0.0625 * static_cast<double>(count);
-        depths.add({Vec3(x, -9, -9), Vec3(x, 9, -9), Vec3(x, 0, 18)},
-                   {lines.rows().across[0][count], lines.rows().across[1][count]});
-        ++count;
+    const std::vector<std::uint32_t> all = iota(lines.slots().size());
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < 100; ++i) {
+        const double x = -2 + 0.03125 * static_cast<double>(i);
+        // The plane rises by 1 from y = -9 to 9.
+        const Corners t{Vec3(x, -9, -9), Vec3(x + 1, 9, -9), Vec3(x + 0.5, 0, 18)};
+        const std::span<const std::uint32_t> some = std::span(all).subspan(0, i % 65);
+        depths.add(t, some);
+        for (const std::uint32_t place : some) {
+            expected.push_back(alone(lines, t, place));
+        }
     }
     const std::span<const double> taken = depths.take();
-    ASSERT_EQ(taken.size(), count);
-    for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(taken[i], 5 - 0.0625 * static_cast<double>(i));
-    }
+    EXPECT_TRUE(std::ranges::equal(taken, expected));
+    EXPECT_GT(taken.size(), 5 * DepthsOfMany::lines_most);
     EXPECT_TRUE(depths.take().empty());
 }
 

@@ -44,16 +44,21 @@ told_of(const ObbTree& a, const ObbTree& b, const PosePair& poses, double bound_
         return std::nullopt;
     }
     Told told;
+    std::set<std::uint32_t> triangles;
     while (!search.is_done()) {
         const BundleSearch::Found found = search.next();
-        for (const LinePass& pass : found.passes) {
-            const std::uint32_t line = of_b.triangles.ids[lines.slots()[pass.line]];
-            told.passes[{of_a.triangles.ids[pass.triangle], line}] = pass.flags;
+        for (std::size_t i = 0; i < found.triangles.size(); ++i) {
+            const PassedTriangle& passed = found.triangles[i];
+            EXPECT_TRUE(triangles.insert(passed.slot).second) << "a triangle is told twice";
+            for (const std::uint32_t place : found.lines_of(i)) {
+                const std::uint32_t line = of_b.triangles.ids[lines.slots()[place]];
+                told.passes[{of_a.triangles.ids[passed.slot], line}] = passed.flags;
+            }
         }
         for (const Candidate& pair : found.open) {
             told.open.insert({of_a.triangles.ids[pair.a], of_b.triangles.ids[pair.b]});
         }
-        told.pairs += found.passes.size() + found.open.size();
+        told.pairs += found.lines.size() + found.open.size();
     }
     return told;
 }
@@ -240,6 +245,20 @@ TEST(BundleSearch, TellsTheSameOnEveryTarget) {
     }
 }
 
+TEST(BundleSearch, TellsTheLinesOfALargeTriangleTogether) {
+    std::mt19937_64 random(1);
+    const Mesh triangles = make_mesh({Vec3(0, -9, -9), Vec3(0, 9, -9), Vec3(0, 0, 18)},
+                                     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}});
+    const ObbTree body = make_tree(triangles);
+    const ObbTree lines = make_tree(mesh_of(grid_lines(random, 0, {37, 31}, 0.1, 0, {3, -3})));
+    on_every_target([&](SimdTarget) {
+        const auto told = told_of(body, lines, {});
+        ASSERT_TRUE(told);
+        EXPECT_EQ(told->passes.size(), 3u * 37 * 31);
+        EXPECT_EQ(told->pairs, told->passes.size());
+    });
+}
+
 TEST(BundleSearch, RefusesBundlesThatAreNotOnlyTurned) {
     const ObbTree body = make_tree(make_box(Vec3(2, 2, 2)));
     std::mt19937_64 random(1);
@@ -259,7 +278,7 @@ TEST(BundleSearch, LooksOnlyWhereLinesAre) {
     ASSERT_TRUE(search.start(view, lines, {}));
     std::size_t passes = 0;
     while (!search.is_done()) {
-        passes += search.next().passes.size();
+        passes += search.next().lines.size();
     }
     EXPECT_EQ(passes, 2u);
     EXPECT_LT(search.box_tests(), body.mesh().triangles().size() / 20);

@@ -1,0 +1,65 @@
+// Tells lines whose hits need no further decision from others.
+#pragma once
+
+#include "common/job/shots/equal_depths.hpp"
+#include "common/job/shots/passes.hpp"
+#include "common/job/shots/settled_hits.hpp"
+#include "common/job/shots/stable_order.hpp"
+#include "common/search/found_contacts.hpp"
+#include "common/search/subtree_pair.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Settles the hits of lines all of whose depths are known and differ, unless equal ones are on
+/// triangles with the same corners. Keeps scratch memory between scenarios.
+class SimpleLines {
+  public:
+    /// Selects the hits of a scenario, and the pairs of subtrees that they refer to.
+    void restart(const Passes& passes, std::span<const SubtreePair> pairs);
+
+    /// Returns the hits of simple lines, with `only_first` the first of each. Moves those of other
+    /// lines, and of lines that `found` has a pair of, to `found`. Counts in `moved` how many it
+    /// moves. Call it once after `restart`.
+    [[nodiscard]] SettledHits settle(FoundContacts& found, bool only_first, std::uint64_t& moved);
+
+  private:
+    static constexpr std::uint32_t none = EqualDepths::none;
+
+    struct Line {
+        std::uint32_t first = none; ///< Index of its first hit, if that is asked for.
+        bool is_simple = true;
+    };
+
+    /// Two groups on triangles with the same corners: a later and an earlier one.
+    struct Coincident {
+        std::size_t group = 0; ///< The first group is never the later one.
+        std::size_t earlier = 0;
+    };
+
+    void find_open(const FoundContacts& found);
+    void open(std::uint32_t line);
+    [[nodiscard]] bool is_at_one_place(std::size_t group, std::uint32_t earlier);
+    [[nodiscard]] std::size_t group_of(std::uint32_t hit) const;
+    void find_first();
+    void move_open(FoundContacts& found, std::uint64_t& moved);
+    [[nodiscard]] SettledHits sorted(bool only_first);
+    [[nodiscard]] std::span<const std::uint32_t> kept_of(std::span<const std::uint32_t> groups,
+                                                         bool only_first);
+
+    const Passes* passes_ = nullptr;
+    std::span<const SubtreePair> pairs_;
+    std::vector<Line> lines_;         ///< By index in the mesh.
+    std::vector<std::uint32_t> open_; ///< Lines that are not simple.
+    Coincident coincident_;           ///< Those found last.
+    EqualDepths depths_;
+    StableOrder order_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint32_t> kept_;
+    std::vector<Candidate> moving_;
+};
+
+} // namespace cd

@@ -1,0 +1,253 @@
+#include "common/shots/bundle/bundle_marks_kernel.hpp"
+
+#include "common/geometry/highway_targets.hpp"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "common/shots/bundle/bundle_marks_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Everything below is compiled for every target.
+#include "common/shots/bundle/bundle_lanes-inl.hpp"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cd {
+namespace HWY_NAMESPACE {
+namespace bundle_marks {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using bundle::bits_of;
+
+using Doubles = hn::CappedTag<double, 8>;
+using V = hn::Vec<Doubles>;
+
+HWY_INLINE V set(double value) {
+    return hn::Set(Doubles(), value);
+}
+
+/// Returns twice the area of the triangle of the origin and two points, positive if it turns left.
+HWY_INLINE V turn(V from_x, V from_y, V to_x, V to_y) {
+    return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
+}
+
+/// A triangle's corners across the lines and the bound of its turns, the same in all lanes.
+struct Target {
+    HWY_INLINE Target(const BlockAcross& placed, std::size_t triangle)
+        : error(set(placed.turn_error[triangle])) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            x[i] = set(placed.corners[1][i][triangle]);
+            y[i] = set(placed.corners[2][i][triangle]);
+        }
+    }
+
+    V x[3];
+    V y[3];
+    V error;
+};
+
+/// Lines that follow each other in one row.
+struct Piece {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+// A row of a small triangle's box has few lines, so that a vector of many lanes takes two pieces.
+#if HWY_MAX_BYTES >= 32
+constexpr std::uint32_t pieces = 2;
+
+HWY_INLINE V load(const double* from, const Piece& low, const Piece& high) {
+    const hn::Half<Doubles> half;
+    return hn::Combine(
+        Doubles(), hn::LoadU(half, from + high.first), hn::LoadU(half, from + low.first));
+}
+#else
+constexpr std::uint32_t pieces = 1;
+
+HWY_INLINE V load(const double* from, const Piece& low, const Piece&) {
+    return hn::LoadU(Doubles(), from + low.first);
+}
+#endif
+
+constexpr auto piece_most = static_cast<std::uint32_t>(hn::MaxLanes(Doubles())) / pieces;
+
+/// The lines of a vector.
+struct Pieces {
+    Piece low;
+    Piece high; ///< Empty if vectors take one piece.
+
+    [[nodiscard]] HWY_INLINE std::uint32_t valid() const {
+        return ((1u << low.count) - 1) | ((1u << high.count) - 1) << piece_most;
+    }
+    [[nodiscard]] HWY_INLINE std::uint32_t line_of(std::uint32_t lane) const {
+        return lane < piece_most ? low.first + lane : high.first + (lane - piece_most);
+    }
+};
+
+/// The lanes of a vector whose lines doubles do not prove to miss a triangle, as bit masks.
+struct Marks {
+    std::uint32_t left;  ///< All corners turn left around the line.
+    std::uint32_t right; ///< All turn right.
+    std::uint32_t open;
+};
+
+HWY_INLINE Marks marks_of(const Target& target, const LineRows& lines, const Pieces& of) {
+    const Doubles d;
+    const V line_x = load(lines.across[0], of.low, of.high);
+    const V line_y = load(lines.across[1], of.low, of.high);
+    V x[3];
+    V y[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = hn::Sub(target.x[i], line_x);
+        y[i] = hn::Sub(target.y[i], line_y);
+    }
+    const V turns[3] = {
+        turn(x[0], y[0], x[1], y[1]), turn(x[1], y[1], x[2], y[2]), turn(x[2], y[2], x[0], y[0])};
+    const V least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
+    const V most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
+    const V minus_error = hn::Neg(target.error);
+    const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
+    const std::uint32_t kept = ~bits_of(d, misses) & of.valid();
+    if (kept == 0) {
+        return {0, 0, 0};
+    }
+    const std::uint32_t left = kept & bits_of(d, hn::Gt(least, target.error));
+    const std::uint32_t right = kept & bits_of(d, hn::Lt(most, minus_error));
+    return {left, right, kept & ~(left | right)};
+}
+
+/// Adds the lines of a vector to those of a triangle that `is_between` the lines' ends or not.
+HWY_INLINE void
+mark(Marks marks, std::uint32_t triangle, bool is_between, const Pieces& of, MarkedPairs& to) {
+    const std::uint32_t inside = marks.left | marks.right;
+    std::uint32_t passing = is_between ? inside : 0u;
+    std::uint32_t open = marks.open | (inside & ~passing);
+    if (passing != 0 && (to.runs == 0 || to.of_triangles[to.runs - 1].triangle != triangle)) {
+        to.of_triangles[to.runs++] = {triangle, to.passes, marks.left != 0};
+    }
+    for (; passing != 0; passing &= passing - 1) {
+        to.passing[to.passes++] =
+            of.line_of(static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(passing)));
+    }
+    for (; open != 0; open &= open - 1) {
+        to.open_triangles[to.open] = static_cast<std::uint8_t>(triangle);
+        to.open_lines[to.open++] =
+            of.line_of(static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(open)));
+    }
+}
+
+/// The bins of a triangle's box.
+struct BinRange {
+    std::uint32_t column;
+    std::uint32_t column_end;
+    std::uint32_t row;
+    std::uint32_t rows;
+
+    HWY_INLINE BinRange(const BlockAcross& placed, std::size_t triangle)
+        : column(static_cast<std::uint32_t>(placed.first[0][triangle])),
+          column_end(static_cast<std::uint32_t>(placed.last[0][triangle]) + 1),
+          row(static_cast<std::uint32_t>(placed.first[1][triangle])),
+          rows(static_cast<std::uint32_t>(placed.last[1][triangle]) + 1 - row) {}
+
+    /// Advances the walk by a piece, and returns that; an empty one at the end.
+    [[nodiscard]] HWY_INLINE Piece next(const LineRows& lines, LineWalk& walk) const {
+        for (; walk.row < rows; ++walk.row, walk.line = 0) {
+            const std::uint32_t begin = lines.begin_of(column, row + walk.row) + walk.line;
+            const std::uint32_t left = lines.begin_of(column_end, row + walk.row) - begin;
+            if (left > piece_most) {
+                walk.line += piece_most;
+                return {begin, piece_most};
+            }
+            if (left > 0) {
+                ++walk.row;
+                walk.line = 0;
+                return {begin, left};
+            }
+        }
+        return {};
+    }
+};
+
+/// Returns whether some line may have a coordinate in a triangle's box on one axis. A line in the
+/// first bin does if the box begins before the bin's last line, one in the last bin if the box ends
+/// behind its first line, and any line between these bins does.
+HWY_INLINE bool holds_coordinate(const BlockAcross& placed,
+                                 const BundleAcross& bundle,
+                                 std::size_t which,
+                                 std::size_t triangle) {
+    const BundleAcross::Axis& axis = bundle.axes[which];
+    const std::int32_t first = placed.first[which][triangle];
+    const std::int32_t last = placed.last[which][triangle];
+    const bool is_below = placed.low[which][triangle] <= axis.most_of_bins[first];
+    const bool is_above = placed.high[which][triangle] >= axis.least_of_bins[last];
+    return first == last ? is_below & is_above : is_below | is_above | (last - first > 1);
+}
+
+bool mark_pairs_on(const BlockAcross* placed,
+                   const BundleAcross* bundle,
+                   const LineRows* lines,
+                   LineWalk* walk,
+                   MarkedPairs* marked) {
+    marked->tested = 0;
+    marked->runs = 0;
+    marked->passes = 0;
+    marked->open = 0;
+    for (; walk->triangle < placed->count; *walk = {walk->triangle + 1}) {
+        const std::uint32_t triangle = walk->triangle;
+        if (!(holds_coordinate(*placed, *bundle, 0, triangle) &
+              holds_coordinate(*placed, *bundle, 1, triangle))) {
+            continue;
+        }
+        const Target target(*placed, triangle);
+        const bool is_between = (placed->between >> triangle & 1) != 0;
+        const BinRange bins(*placed, triangle);
+        LineWalk in_triangle = *walk;
+        while (in_triangle.row < bins.rows) {
+            if (std::max(marked->passes, marked->open) + pieces * piece_most > MarkedPairs::most) {
+                *walk = in_triangle;
+                return false;
+            }
+            Pieces of{bins.next(*lines, in_triangle), {}};
+            if (pieces == 2) {
+                of.high = bins.next(*lines, in_triangle);
+            }
+            marked->tested += of.low.count + of.high.count;
+            mark(marks_of(target, *lines, of), triangle, is_between, of, *marked);
+        }
+    }
+    return true;
+}
+
+} // namespace bundle_marks
+
+bool mark_pairs_on(const BlockAcross* placed,
+                   const BundleAcross* bundle,
+                   const LineRows* lines,
+                   LineWalk* walk,
+                   MarkedPairs* marked) {
+    return bundle_marks::mark_pairs_on(placed, bundle, lines, walk, marked);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace cd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cd {
+
+HWY_EXPORT(mark_pairs_on);
+
+bool mark_pairs(const BlockAcross& placed,
+                const BundleAcross& bundle,
+                const LineRows& lines,
+                LineWalk& walk,
+                MarkedPairs& marked) {
+    return HWY_DYNAMIC_DISPATCH(mark_pairs_on)(&placed, &bundle, &lines, &walk, &marked);
+}
+
+} // namespace cd
+
+#endif
