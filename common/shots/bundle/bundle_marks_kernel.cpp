@@ -71,7 +71,8 @@ HWY_INLINE V load(const double* from, const Piece& low, const Piece&) {
 }
 #endif
 
-constexpr auto piece_most = static_cast<std::uint32_t>(hn::MaxLanes(Doubles())) / pieces;
+constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
+constexpr std::uint32_t piece_most = lanes / pieces;
 
 /// The lines of a vector.
 struct Pieces {
@@ -110,31 +111,30 @@ HWY_INLINE Marks marks_of(const Target& target, const LineRows& lines, const Pie
     const V minus_error = hn::Neg(target.error);
     const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
     const std::uint32_t kept = ~bits_of(d, misses) & of.valid();
-    if (kept == 0) {
-        return {0, 0, 0};
-    }
     const std::uint32_t left = kept & bits_of(d, hn::Gt(least, target.error));
     const std::uint32_t right = kept & bits_of(d, hn::Lt(most, minus_error));
     return {left, right, kept & ~(left | right)};
 }
 
-/// Adds the lines of a vector to those of a triangle that `is_between` the lines' ends or not.
+/// Adds the lines of a vector to those that pass through the present triangle, without a branch:
+/// whether a small triangle is hit is hard to predict. Writes a whole vector, and counts the
+/// lanes `which`.
+HWY_INLINE void add_passing(std::uint32_t which, const Pieces& of, MarkedPairs& to) {
+    const hn::Rebind<std::uint32_t, Doubles> d;
+    const auto lines = hn::IfThenElse(hn::FirstN(d, piece_most),
+                                      hn::Iota(d, of.low.first),
+                                      hn::Iota(d, of.high.first - piece_most));
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(which)};
+    hn::StoreU(hn::CompressBits(lines, bits), d, &to.passing[to.passes]);
+    to.passes += static_cast<std::uint32_t>(hwy::PopCount(which));
+}
+
 HWY_INLINE void
-mark(Marks marks, std::uint32_t triangle, bool is_between, const Pieces& of, MarkedPairs& to) {
-    const std::uint32_t inside = marks.left | marks.right;
-    std::uint32_t passing = is_between ? inside : 0u;
-    std::uint32_t open = marks.open | (inside & ~passing);
-    if (passing != 0 && (to.runs == 0 || to.of_triangles[to.runs - 1].triangle != triangle)) {
-        to.of_triangles[to.runs++] = {triangle, to.passes, marks.left != 0};
-    }
-    for (; passing != 0; passing &= passing - 1) {
-        to.passing[to.passes++] =
-            of.line_of(static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(passing)));
-    }
-    for (; open != 0; open &= open - 1) {
+add_open(std::uint32_t which, std::uint32_t triangle, const Pieces& of, MarkedPairs& to) {
+    for (; which != 0; which &= which - 1) {
         to.open_triangles[to.open] = static_cast<std::uint8_t>(triangle);
         to.open_lines[to.open++] =
-            of.line_of(static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(open)));
+            of.line_of(static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(which)));
     }
 }
 
@@ -201,20 +201,29 @@ bool mark_pairs_on(const BlockAcross* placed,
             continue;
         }
         const Target target(*placed, triangle);
-        const bool is_between = (placed->between >> triangle & 1) != 0;
+        const std::uint32_t passing_lanes = (placed->between >> triangle & 1) != 0 ? ~0u : 0u;
         const BinRange bins(*placed, triangle);
+        MarkedPairs::Run& run = marked->of_triangles[marked->runs];
+        run = {triangle, marked->passes, false};
         LineWalk in_triangle = *walk;
-        while (in_triangle.row < bins.rows) {
-            if (std::max(marked->passes, marked->open) + pieces * piece_most > MarkedPairs::most) {
-                *walk = in_triangle;
-                return false;
-            }
+        bool has_room = true;
+        while (in_triangle.row < bins.rows && has_room) {
             Pieces of{bins.next(*lines, in_triangle), {}};
             if (pieces == 2) {
                 of.high = bins.next(*lines, in_triangle);
             }
             marked->tested += of.low.count + of.high.count;
-            mark(marks_of(target, *lines, of), triangle, is_between, of, *marked);
+            const Marks marks = marks_of(target, *lines, of);
+            const std::uint32_t inside = marks.left | marks.right;
+            run.turns_left |= marks.left != 0;
+            add_passing(inside & passing_lanes, of, *marked);
+            add_open(marks.open | (inside & ~passing_lanes), triangle, of, *marked);
+            has_room = std::max(marked->passes, marked->open) + lanes <= MarkedPairs::most;
+        }
+        marked->runs += marked->passes > run.begin ? 1 : 0;
+        if (!has_room) {
+            *walk = in_triangle;
+            return false;
         }
     }
     return true;
