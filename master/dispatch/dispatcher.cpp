@@ -30,7 +30,7 @@ Actions Dispatcher::settled(Actions actions) {
 
 Actions Dispatcher::refilled(WorkerProxy& proxy, Actions actions) {
     const std::size_t before = actions.size();
-    parts().ranges.forget_totals();
+    parts().ranges.age_totals();
     parts().filler.fill(proxy, actions);
     return made_room(actions, before) ? settled(std::move(actions)) : actions;
 }
@@ -160,7 +160,7 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     job->input.is_paused = false;
 
     Actions actions;
-    parts().ranges.forget_totals();
+    parts().ranges.age_totals();
     parts().allocator.take_up(*job, is_suspect, resumes, actions);
     return made_room(actions, 0) ? settled(std::move(actions)) : actions;
 }

@@ -8,12 +8,15 @@
 namespace cd {
 
 std::uint64_t RangeSender::enough(const DispatchJob& job) const {
-    forget_totals();
-    std::uint64_t enough = 0;
-    for (const WorkerProxy* proxy : context_.pool.in_order()) {
-        enough += proxy->takes_work() ? positions_at_once(*proxy, job) : 0;
+    RangeTotals& of_all = totals(job);
+    if (!of_all.enough) {
+        std::uint64_t enough = 0;
+        for (const WorkerProxy* proxy : context_.pool.in_order()) {
+            enough += proxy->takes_work() ? positions_at_once(*proxy, job) : 0;
+        }
+        of_all.enough = enough;
     }
-    return enough;
+    return *of_all.enough;
 }
 
 void RangeSender::forget_totals() const {
@@ -22,11 +25,21 @@ void RangeSender::forget_totals() const {
     }
 }
 
-const RangeTotals& RangeSender::totals(const DispatchJob& job) const {
+void RangeSender::age_totals() const {
+    for (const auto& [id, job] : queue_.jobs()) {
+        if (job.range_totals && --job.range_totals->events_left == 0) {
+            job.range_totals.reset();
+        }
+    }
+}
+
+RangeTotals& RangeSender::totals(const DispatchJob& job) const {
     if (job.range_totals) {
         return *job.range_totals;
     }
     RangeTotals totals;
+    totals.events_left =
+        std::max<std::size_t>(1, context_.pool.in_order().size() / limits::workers_per_event);
     totals.left = job.unsent.rest();
     for (const WorkerProxy* proxy : context_.pool.in_order()) {
         if (!proxy->takes_work()) {
@@ -76,7 +89,7 @@ bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job
     // Compares the time of one scenario on this worker with the time that the others need for all.
     const double rate = context_.pace.positions_per_second(proxy, job);
     const double others = std::max(of_all.unclaimed - rate, quickest);
-    // The totals are from the begin of the event, and the worker may have got tasks since.
+    // The totals are some events old, and the worker may have got tasks since.
     const auto left = static_cast<double>(of_all.left - std::min(of_all.left, proxy.tasks.left()));
     return proxy.facts().threads / rate >
            limits::range_lateness_max * std::max(left / others, 1 / quickest);

@@ -16,7 +16,8 @@ class RangeSender {
 
     /// Sends the worker, which would take it, its next range of the job.
     void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
-    /// Number of unsent positions of the job that suffices for all workers.
+    /// Number of unsent positions of the job that suffices for all workers, as of the last count of
+    /// its totals.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const;
     /// True if the worker would get a range of the job at the job's turn: it would run dry.
     [[nodiscard]] bool would_take(const WorkerProxy& proxy, const DispatchJob& job) const;
@@ -24,13 +25,17 @@ class RangeSender {
     [[nodiscard]] bool has_range_for(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// True if the worker could get a range of the job, however much it has to do.
     [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Drops the cached totals of all jobs. Call at the start of an event and after each change
-    /// except the sending of work.
+    /// Drops the cached totals of all jobs. Call after a change of the workers, and where an event
+    /// looks at all workers anyway.
     void forget_totals() const;
+    /// Call at the start of an event that relieves single workers. Drops the cached totals that
+    /// have served as many events as one count of them may cost.
+    void age_totals() const;
 
   private:
-    /// The job's totals as of the last `forget_totals`; work sent since then does not change them.
-    [[nodiscard]] const RangeTotals& totals(const DispatchJob& job) const;
+    /// The job's totals, counted anew if they were dropped. Work sent and answered since the count
+    /// does not change them.
+    [[nodiscard]] RangeTotals& totals(const DispatchJob& job) const;
     /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Number of positions in the worker's next range of the job.

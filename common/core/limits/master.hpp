@@ -128,6 +128,9 @@ inline constexpr std::uint64_t unsent_by_time_max = 1u << 18;
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20;
 /// With more workers, the master checks all of them less often, which bounds the cost of events.
 inline constexpr std::size_t workers_few = 64;
+/// Workers that an event may look at on average to count totals over all workers. So with more
+/// workers the totals of ranges serve several events.
+inline constexpr std::size_t workers_per_event = 16;
 
 // Matching by time: values assumed until they are measured, and the size of batches.
 inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.

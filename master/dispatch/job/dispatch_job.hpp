@@ -90,6 +90,7 @@ class UnsentPositions {
 };
 
 /// Speed at which all workers together process ranges of a job, and number of scenarios left.
+/// Counting them takes a look at every worker.
 struct RangeTotals {
     double rate = 0;         ///< Scenarios/s of all workers that take work.
     double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.
@@ -97,6 +98,8 @@ struct RangeTotals {
     double quickest_but = 0; ///< Second-best rate per thread, unclaimed workers.
     WorkerId quickest_worker;
     std::uint64_t left = 0; ///< Scenarios that are unsent, or unanswered at an unclaimed worker.
+    std::optional<std::uint64_t> enough; ///< Unsent positions that suffice for all workers.
+    std::size_t events_left = 1;         ///< Number of events after which these totals are dropped.
 };
 
 /// Analysed scenarios of a job on their way to the workers.

@@ -7,7 +7,7 @@
 #include "master/dispatch/worker_pace.hpp"
 
 #include <cstdint>
-#include <map>
+#include <unordered_map>
 
 namespace cd {
 
@@ -22,7 +22,7 @@ class RangePace {
 
   private:
     LearnedRate general_;
-    std::map<WorkerId, LearnedRate> of_workers_;
+    std::unordered_map<WorkerId, LearnedRate> of_workers_;
 };
 
 /// Seconds per scenario to fetch and open its missing blocks, at the worker chosen by matching and

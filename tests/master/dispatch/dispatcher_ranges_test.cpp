@@ -342,5 +342,49 @@ TEST(DispatcherRangeRun, EveryPositionIsAnsweredWhateverWorkersDo) {
     EXPECT_GT(recalled, 0u);
 }
 
+// Totals over so many workers serve several events. Whatever that does to the sizes of ranges, a
+// worker that joins late gets work at once, and no position is left over or sent twice.
+TEST_F(DispatcherRanges, ManyWorkersShareAJobToItsEnd) {
+    constexpr std::uint64_t workers = 4 * limits::workers_per_event;
+    constexpr std::uint64_t count = 100'000;
+    open(job_1, 1);
+    std::vector<SendUnit> running;
+    const auto keep = [&](const Actions& actions) {
+        const auto sent = ranges_in(actions);
+        running.insert(running.end(), sent.begin(), sent.end());
+    };
+    for (std::uint64_t i = 1; i <= workers; ++i) {
+        keep(dispatcher_.worker_joined(WorkerId{i}, {"w", 1}));
+    }
+    keep(dispatcher_.positions_given(job_1, {{0, count}}, 0));
+    std::map<WorkerId, std::uint64_t> answered;
+    PositionSet all;
+    for (std::size_t next = 0; next < running.size(); ++next) {
+        const SendUnit unit = running[next];
+        const PositionSet before = all;
+        all.add(unit.positions);
+        ASSERT_EQ(all.count() - before.count(), unit.positions.count()) << "sent twice";
+        answered[unit.worker] += unit.positions.count();
+        keep(dispatcher_.answered({unit.worker,
+                                   unit.task,
+                                   job_1,
+                                   unit.positions,
+                                   1e-3 * static_cast<double>(unit.positions.count())}));
+        keep(dispatcher_.task_ended(unit.worker, unit.task));
+        if (next == workers) {
+            const std::size_t sent = running.size();
+            keep(dispatcher_.worker_joined(WorkerId{workers + 1}, {"late", 1}));
+            ASSERT_GT(running.size(), sent);
+            EXPECT_EQ(running[sent].worker, WorkerId{workers + 1});
+        }
+    }
+    EXPECT_EQ(all, PositionSet(PositionRange{0, count}));
+    ASSERT_EQ(answered.size(), workers + 1);
+    for (const auto& [worker, positions] : answered) {
+        EXPECT_GT(positions, count / workers / 2) << worker.value;
+        EXPECT_LT(positions, 2 * count / workers) << worker.value;
+    }
+}
+
 } // namespace
 } // namespace cd::tests

@@ -1,4 +1,5 @@
 // Proves who gets a range, and how long it is.
+#include "common/core/limits/master.hpp"
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -87,6 +88,32 @@ TEST_F(RangeSending, EnoughFillsEveryWorkerThatTakesWork) {
     join(3).set_draining();
     job_.unsent.add({{0, 10'000}}, 0);
     EXPECT_EQ(ranges.enough(job_), 300u);
+}
+
+TEST_F(RangeSending, TotalsOfManyWorkersServeSeveralEvents) {
+    const std::uint64_t workers = 3 * limits::workers_per_event;
+    for (std::uint64_t i = 1; i <= workers; ++i) {
+        join(i);
+    }
+    job_.unsent.add({{0, 1'000'000}}, 0);
+    EXPECT_EQ(ranges.enough(job_), 100 * workers);
+    (void)job_.unsent.take_first(1'000'000 - workers); // One for each worker is left.
+    for (int event = 0; event < 2; ++event) {
+        ranges.age_totals();
+        EXPECT_EQ(ranges.enough(job_), 100 * workers);
+    }
+    ranges.age_totals();
+    EXPECT_EQ(ranges.enough(job_), workers);
+}
+
+TEST_F(RangeSending, AFewWorkersAreCountedAtEachEvent) {
+    join(1);
+    job_.unsent.add({{0, 10'000}}, 0);
+    EXPECT_EQ(ranges.enough(job_), 100u);
+    (void)job_.unsent.take_first(9'999);
+    EXPECT_EQ(ranges.enough(job_), 100u);
+    ranges.age_totals();
+    EXPECT_EQ(ranges.enough(job_), 1u);
 }
 
 } // namespace
