@@ -8,9 +8,13 @@ template <class IsFound>
 bool TreeQuestions::ask(const PosePair& poses, double clearance, const IsFound& is_found) {
     search_.set_clearance(clearance);
     search_.restart(poses);
-    bool has_found = !pairs_.empty() && is_found(pairs_[last_]);
+    spheres_.place(poses, clearance);
+    const auto has_one = [&](std::size_t i) {
+        return spheres_.may_be_within(i) && is_found(pairs_[i]);
+    };
+    bool has_found = !pairs_.empty() && has_one(last_);
     for (std::size_t i = 0; i < pairs_.size() && !has_found; ++i) {
-        if (i != last_ && is_found(pairs_[i])) {
+        if (i != last_ && has_one(i)) {
             has_found = true;
             last_ = i;
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/motion/cells.hpp"
+#include "common/motion/pair_spheres.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/search/subtree_pair.hpp"
 #include "common/tree/query_statistics.hpp"
@@ -21,7 +22,7 @@ class TreeQuestions {
     TreeQuestions(ContactSearch& search,
                   std::span<const SubtreePair> pairs,
                   std::optional<double> clearance)
-        : search_(search), pairs_(pairs), clearance_(clearance) {}
+        : search_(search), pairs_(pairs), spheres_(pairs), clearance_(clearance) {}
 
     /// Whether the bodies are at most this far apart.
     [[nodiscard]] bool is_within(const PosePair& poses, double distance);
@@ -43,6 +44,7 @@ class TreeQuestions {
 
     ContactSearch& search_;
     std::span<const SubtreePair> pairs_;
+    PairSpheres spheres_; ///< Of `pairs_`.
     std::optional<double> clearance_;
     std::size_t last_ = 0; ///< The pair that answered yes last; it mostly does so again.
     QueryStatistics statistics_;
