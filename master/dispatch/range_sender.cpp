@@ -38,8 +38,6 @@ RangeTotals& RangeSender::totals(const DispatchJob& job) const {
         return *job.range_totals;
     }
     RangeTotals totals;
-    totals.events_left =
-        std::max<std::size_t>(1, context_.pool.in_order().size() / limits::workers_per_event);
     totals.left = job.unsent.rest();
     for (const WorkerProxy* proxy : context_.pool.in_order()) {
         if (!proxy->takes_work()) {
@@ -59,6 +57,11 @@ RangeTotals& RangeSender::totals(const DispatchJob& job) const {
             totals.quickest_worker = proxy->id();
         }
     }
+    // Near the job's end the size of ranges depends on what is left now.
+    const std::size_t workers = context_.pool.in_order().size();
+    const std::uint64_t left = totals.left / std::max<std::size_t>(1, workers);
+    totals.events_left = std::max<std::size_t>(
+        1, std::min(workers / limits::workers_per_event, left / limits::scenarios_left_per_event));
     return job.range_totals.emplace(totals);
 }
 
