@@ -63,7 +63,6 @@ def share_table(data):
              ("peers: ours by ours without", ours, OURS[2]),
              ("order: random, longest first, by random", "random, longest first", "random"),
              ("order: ours by ours with equal predictions", ours, OURS[3]),
-             ("peers and order together: random by random", "random+peers, longest first", "random"),
              ("all: ours by random", ours, "random"))
     rows = [[what, *data.ratio(one, two)] for what, one, two in pairs]
     for way in ("random", ours):
