@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// Spheres around the subtrees of pairs. A pair takes some nanoseconds, where a search of its
-/// subtrees begins with far more; and of the pairs that a whole motion needs, a pose needs few.
+/// Spheres around the subtrees of pairs. A motion has many pairs, of which a single pose needs
+/// few. Testing a pair's spheres takes some nanoseconds, far less than searching its subtrees.
 class PairSpheres {
   public:
     explicit PairSpheres(std::span<const SubtreePair> pairs);

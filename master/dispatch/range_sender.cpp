@@ -57,7 +57,8 @@ RangeTotals& RangeSender::totals(const DispatchJob& job) const {
             totals.quickest_worker = proxy->id();
         }
     }
-    // Near the job's end the size of ranges depends on what is left now.
+    // The size of a range depends on the number of scenarios left. Near the job's end that number
+    // changes quickly, so the totals are counted at each event.
     const std::size_t workers = context_.pool.in_order().size();
     const std::uint64_t left = totals.left / std::max<std::size_t>(1, workers);
     totals.events_left = std::max<std::size_t>(

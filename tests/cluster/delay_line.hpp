@@ -1,4 +1,4 @@
-// One direction of a connection over a long way: what is put in comes out later, in order.
+// Delays the bytes of one direction of a connection, and keeps their order.
 #pragma once
 
 #include "proto/channel/asio.hpp"

@@ -28,7 +28,7 @@ enum class Weather {
 class FaultyProxy {
   public:
     using Endpoint = asio::ip::tcp::endpoint;
-    /// Returns where a connection is to go. May set options of the socket that will go there.
+    /// Returns the destination of an accepted connection. May set options of the onward socket.
     using Route =
         std::function<Endpoint(asio::ip::tcp::socket& accepted, asio::ip::tcp::socket& onward)>;
 
@@ -50,7 +50,7 @@ class FaultyProxy {
     void cut() {
         cut_if([] { return true; });
     }
-    /// Ends those connections of whom `is_cut`, which runs on the proxy's thread, returns true.
+    /// Calls `is_cut` once for each connection, on the proxy's thread; ends it if that is true.
     void cut_if(std::function<bool()> is_cut);
     /// Flips one bit of the next bytes, towards the target or back.
     void damage(bool towards_target) {

@@ -3,10 +3,11 @@
 //
 //   network_proxy --port 7000 --delay-ms 10 --break-percent 1 [--seed 1]
 //
-// Connections come by the rule REDIRECT of iptables, and go on to where they were to go. The proxy
-// marks its own (SO_MARK 1), so that a rule can exclude them. Bytes arrive later, each way. Each
-// second, each connection breaks with the given chance. SIGTERM ends the proxy; then it prints how
-// many connections came and how many broke.
+// iptables redirects connections to the proxy's port (rule REDIRECT); the proxy connects to their
+// original destination. It sets SO_MARK 1 on its own connections, so that the rule can exclude
+// them. The proxy delays all bytes, in both directions. Each second, each connection breaks with
+// the given probability. At SIGTERM the proxy ends, and prints the numbers of connections and of
+// breaks.
 #include "proto/channel/signals.hpp"
 #include "tests/cluster/faulty_proxy.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Returns where a redirected connection was to go, and marks the one that goes there.
+/// Returns the original destination of a redirected connection, and marks the onward socket.
 FaultyProxy::Endpoint original_target(tcp::socket& accepted, tcp::socket& onward) {
     sockaddr_in target{};
     socklen_t size = sizeof(target);

@@ -30,8 +30,8 @@ class WorkerModel {
     [[nodiscard]] WorkerId id() const { return id_; }
     /// Returns the requests for blocks.
     Messages take(const WorkUnit& unit);
-    /// Returns the requests for the scenario whose turn has come, if scenarios take turns and the
-    /// one before has run.
+    /// Returns the requests for the blocks of the next scenario, if scenarios take turns and no
+    /// scenario is under way.
     Messages proceed();
     void take(const Hint& hint);
     /// Returns requests for hinted blocks, when nothing is needed at once, within the product's
