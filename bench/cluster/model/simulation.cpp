@@ -41,7 +41,7 @@ class Simulation {
         for (const WorkerPlace& place : platform.workers) {
             threads.push_back(place.threads);
             workers_.push_back(std::make_unique<Worker>(threads.size(), place.threads, workload_));
-            if (options_.is_client_first) {
+            if (is_client_first(options_)) {
                 workers_.back()->model.take_turns();
             }
         }
@@ -69,11 +69,15 @@ class Simulation {
     struct Committed {};
     using Event = std::variant<FromWorker, SimulatedMaster::PoolRun, Committed>;
 
+    static bool is_client_first(const SimulationOptions& options) {
+        return options.variation == Variation::ClientFirst;
+    }
+
     static MasterOptions master_options(const SimulationOptions& options, std::uint64_t count) {
         MasterOptions master;
         master.dispatch = options.dispatch;
         master.variation = options.variation;
-        master.feed.waiting_max = options.is_client_first ? count + 1 : options.ahead;
+        master.feed.waiting_max = is_client_first(options) ? count + 1 : options.ahead;
         // The paper's master analyses one scenario after the other.
         master.feed.block_scenarios = options.analysts == 0 ? 1 : master.feed.block_scenarios;
         master.peers = options.peers;
@@ -84,7 +88,7 @@ class Simulation {
 
     void run_master(const std::vector<std::uint32_t>& threads) {
         to_master_.open();
-        if (options_.is_client_first) {
+        if (is_client_first(options_)) {
             send(master_.start({}));
             while (master_.has_pool_work()) {
                 analyse();

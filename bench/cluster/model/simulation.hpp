@@ -41,12 +41,11 @@ struct ClusterSpec {
 struct SimulationOptions {
     ClusterSpec cluster;
     ClusterOptions dispatch; ///< The workload gives its depths.
+    /// With ClientFirst, as in the paper's section 5.1, all scenarios are analysed before workers
+    /// join, and a worker requests the blocks of a scenario when its turn comes.
     Variation variation = Variation::None;
     /// Analysed scenarios that may wait outside buffers; 0: the product's number.
     std::uint64_t ahead = 1;
-    /// As in the paper's section 5.1: all scenarios are analysed before workers join, and a worker
-    /// requests the blocks of a scenario when its turn comes.
-    bool is_client_first = false;
     bool peers = false; ///< Workers send each other blocks.
     bool helps_at_end = true;
     /// Cores of the master's computer that analyse; 0: the master's one thread analyses.

@@ -18,7 +18,6 @@ struct ComparedStrategy {
     bool sees_queue;
     bool peers = false; ///< Workers send each other blocks.
     Variation variation = Variation::None;
-    bool is_client_first = false; ///< In the form of section 5.1.
 
     [[nodiscard]] std::string name() const {
         return std::string(variation == Variation::Blind ? "blind " : "") + std::string(strategy) +
@@ -38,9 +37,9 @@ inline constexpr std::array compared_strategies{
 
 /// The paper's strategies in the client-first form of its section 5.1, beside ours.
 inline constexpr std::array client_first_strategies{
-    ComparedStrategy{"best-match-pull", true, true, false, Variation::None, true},
-    ComparedStrategy{"random", true, true, false, Variation::ClientFirst, true},
-    ComparedStrategy{"lowest", true, true, false, Variation::ClientFirst, true},
+    ComparedStrategy{"best-match", true, true, false, Variation::ClientFirst},
+    ComparedStrategy{"random", true, true, false, Variation::ClientFirst},
+    ComparedStrategy{"lowest", true, true, false, Variation::ClientFirst},
     ComparedStrategy{"earliest-finish", false, true, true},
 };
 

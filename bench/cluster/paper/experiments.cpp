@@ -165,7 +165,6 @@ SimulationOptions Setting::options_for(const ComparedStrategy& strategy,
     filled.dispatch.seed = seed;
     filled.variation = strategy.variation;
     filled.peers = strategy.peers;
-    filled.is_client_first = strategy.is_client_first;
     if (strategy.sees_queue) {
         filled.ahead = 0;
     }

@@ -69,7 +69,6 @@ TEST(ClusterSimulation, ClientsThatChooseByLikenessGetFewerBytes) {
     std::map<std::string, std::uint64_t> bytes;
     for (const std::string strategy : {"best-match", "random", "lowest"}) {
         options.dispatch.strategy = strategy;
-        options.is_client_first = true;
         const auto outcome = simulate_apart(workload, options, limit);
         ASSERT_TRUE(outcome) << strategy;
         EXPECT_EQ(outcome->answered, workload.count());
