@@ -16,7 +16,7 @@
 #include "bench/timed_work.hpp"
 #include "common/core/errors.hpp"
 #include "common/motion/tree_questions.hpp"
-#include "tests/support/cut_pairs.hpp"
+#include "tests/support/cut_trees.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,6 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -62,13 +61,12 @@ Status add_paths(const MotionPaths& maker,
 
 void measure(const PosedTrees& trees, const Options& options, std::vector<Path>& paths) {
     const SubtreePair whole{trees.a.view(), trees.b.view()};
-    const tests::CutPairs cut(trees.a, trees.b, options.cut);
-    const std::span<const SubtreePair> pairs =
-        options.cut == 0 ? std::span(&whole, 1) : std::span(cut.pairs());
+    const tests::CutTrees cut_trees(trees.a, trees.b, options.cut);
+    const CutBodies cut = cut_trees.bodies();
+    const MovingTrees bodies = options.cut == 0 ? MovingTrees(whole) : MovingTrees(&cut);
     const double clearance = options.clearance.value_or(0);
-    const auto search =
-        make_search(pairs[0].a, pairs[0].b, PosePair{}, {}, {.clearance = clearance});
-    TreeQuestions tree_questions(*search, pairs, options.clearance);
+    const auto search = make_search(whole.a, whole.b, PosePair{}, {}, {.clearance = clearance});
+    TreeQuestions tree_questions(*search, bodies, options.clearance);
     const CellQuestions questions = tree_questions.for_cells();
     for (int round = 0; round < options.rounds; ++round) {
         for (Path& path : paths) {

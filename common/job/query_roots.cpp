@@ -4,6 +4,7 @@
 #include "common/job/run_motion.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace cd {
@@ -21,6 +22,26 @@ double reach_of(const TreeTop& a, const TreeTop& b, const Scenario& scenario, co
                : up_to;
 }
 
+/// Returns pairs that name each root within `reach` of the other body's box; none if that is true
+/// of no root of a body.
+Result<CollidingRoots>
+motion_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double reach) {
+    const CollidingRoots of_a = CD_TRY(colliding_roots(a, whole_body(b), poses, reach));
+    const CollidingRoots of_b = CD_TRY(colliding_roots(whole_body(a), b, poses, reach));
+    CollidingRoots named;
+    named.box_tests = of_a.box_tests + of_b.box_tests;
+    if (of_a.pairs.empty() || of_b.pairs.empty()) {
+        return named;
+    }
+    const std::size_t last_a = of_a.pairs.size() - 1;
+    const std::size_t last_b = of_b.pairs.size() - 1;
+    for (std::size_t i = 0; i <= std::max(last_a, last_b); ++i) {
+        named.pairs.push_back(
+            {of_a.pairs[std::min(i, last_a)].a, of_b.pairs[std::min(i, last_b)].b});
+    }
+    return named;
+}
+
 } // namespace
 
 Result<CollidingRoots> query_roots(const TreeTop& a,
@@ -30,7 +51,7 @@ Result<CollidingRoots> query_roots(const TreeTop& a,
                                    const BodyRadii& radii) {
     if (query.question == Question::Motion) {
         const Motion motion = CD_TRY(motion_of(scenario, query, radii));
-        return colliding_roots(a, b, motion.at_middle({}), reach_of_motion(motion, query));
+        return motion_roots(a, b, motion.at_middle({}), reach_of_motion(motion, query));
     }
     return colliding_roots(a, b, scenario.poses, reach_of(a, b, scenario, query));
 }

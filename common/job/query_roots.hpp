@@ -10,11 +10,16 @@
 namespace cd {
 
 /// Returns the pairs of roots under which the answer of a scenario is found, from the upper trees
-/// of its bodies: those that may touch, be within the clearance, have the nearest pair, or come
-/// within the clearance at any time of a motion (`radii` are those of its bodies). If the
+/// of its bodies: those that may touch, be within the clearance, or have the nearest pair. If the
 /// query asks for a distance without `up_to` and ignores triangles of the bodies, these are all
-/// pairs of roots, since the triangles that bound the distance may be ignored. Errors: as
-/// `colliding_roots`; BadInput for a motion that is none.
+/// pairs of roots, since the triangles that bound the distance may be ignored.
+///
+/// For a motion, whose bodies have these `radii`, the pairs only name roots: each root that may
+/// come within the clearance of the other body at any time is in at least one pair, and the answer
+/// is found under all pairs of one root of A and one of B that are named. Whoever runs the motion
+/// finds which of these each pose needs (`CutBodies`).
+///
+/// Errors: as `colliding_roots`; BadInput for a motion that is none.
 [[nodiscard]] Result<CollidingRoots> query_roots(const TreeTop& a,
                                                  const TreeTop& b,
                                                  const Scenario& scenario,

@@ -4,7 +4,6 @@
 #include "common/core/errors.hpp"
 #include "common/job/answer_poses.hpp"
 #include "common/motion/cells.hpp"
-#include "common/motion/tree_questions.hpp"
 
 #include <cmath>
 #include <limits>
@@ -73,13 +72,13 @@ double reach_of_motion(const Motion& motion, const Query& query) {
 }
 
 bool find_motion(ContactSearch& search,
-                 std::span<const SubtreePair> pairs,
+                 const MovingTrees& trees,
                  const Motion& motion,
                  const Scenario& scenario,
                  const Query& query,
                  const RunOptions& options,
                  ScenarioRun& run) {
-    TreeQuestions questions(search, pairs, query.clearance);
+    TreeQuestions questions(search, trees, query.clearance);
     MotionAnswer answer = search_cells(motion,
                                        query.motion->until,
                                        query.clearance.value_or(0),

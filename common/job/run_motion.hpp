@@ -4,6 +4,7 @@
 #include "common/core/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/motion/motion.hpp"
+#include "common/motion/tree_questions.hpp"
 
 #include <span>
 #include <vector>
@@ -28,13 +29,13 @@ motion_of(const Scenario& scenario, const Query& query, const BodyRadii& radii);
 /// matter for the answer to a motion, in the job's unit. May be infinite.
 [[nodiscard]] double reach_of_motion(const Motion& motion, const Query& query);
 
-/// Searches a motion under pairs of subtrees that hold all pairs of triangles within its reach.
-/// Fills the result but for the pairs at the event, and leaves the search at the poses of the
-/// answer (`poses_of_answer`) with the query's clearance.
+/// Searches a motion of bodies that are whole or cut. Fills the result but for the pairs at the
+/// event, and leaves the search at the poses of the answer (`poses_of_answer`) with the query's
+/// clearance.
 ///
 /// The options of `search` have a clearance. Returns false if `options.stop` ended the run.
 [[nodiscard]] bool find_motion(ContactSearch& search,
-                               std::span<const SubtreePair> pairs,
+                               const MovingTrees& trees,
                                const Motion& motion,
                                const Scenario& scenario,
                                const Query& query,

@@ -260,11 +260,26 @@ bool find_moving(ContactSearch& search,
         run.result = failed_result(scenario, query, motion.error());
         return true;
     }
-    if (!find_motion(search, pairs, motion.value(), scenario, query, options, run)) {
+    const CutBodies* const cut = options.cut;
+    CD_CHECK(cut != nullptr || pairs.size() == 1);
+    const MovingTrees trees = cut != nullptr ? MovingTrees(cut) : MovingTrees(pairs.front());
+    if (!find_motion(search, trees, motion.value(), scenario, query, options, run)) {
         return false;
     }
-    const bool lists_pairs = query.level == Level::Pairs && run.result.motion->event();
-    return !lists_pairs || find_pairs(pairs, scenario, query, options.stop, search, run);
+    if (query.level != Level::Pairs || !run.result.motion->event()) {
+        return true;
+    }
+    std::vector<SubtreePair> at_event;
+    if (cut != nullptr) {
+        const PosePair poses = poses_of_answer(scenario, run.result);
+        run.statistics.box_tests += cut->visit_within(
+            poses, query.clearance.value_or(0), [&](const RootPair&, const SubtreePair& pair) {
+                at_event.push_back(pair);
+                return true;
+            });
+        pairs = at_event;
+    }
+    return find_pairs(pairs, scenario, query, options.stop, search, run);
 }
 
 /// Returns the run of a scenario without colliding roots.

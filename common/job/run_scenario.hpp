@@ -9,6 +9,7 @@
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
 #include "common/job/trees_by_body.hpp"
+#include "common/motion/cut_bodies.hpp"
 #include "common/motion/motion_bound.hpp"
 #include "common/search/subtree_pair.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -39,7 +40,11 @@ struct RunOptions {
     StopCheck stop = {};       ///< Polled throughout the run; true ends the run.
     bool keep_touches = false; ///< Keeps touching pairs at `level count`, for `Settler`.
     PairDecision decision = PairDecision::Exact;
-    BodyRadii radii = {}; ///< Of the scenario's bodies; used only with Question::Motion.
+    // For Question::Motion alone:
+    BodyRadii radii = {}; ///< Of the scenario's bodies.
+    /// The bodies of a motion that are cut. The pairs of subtrees then name all roots that the
+    /// motion needs (`query_roots`). Null if the only pair has the whole bodies.
+    const CutBodies* cut = nullptr;
 };
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs

@@ -8,18 +8,32 @@ template <class IsFound>
 bool TreeQuestions::ask(const PosePair& poses, double clearance, const IsFound& is_found) {
     search_.set_clearance(clearance);
     search_.restart(poses);
-    spheres_.place(poses, clearance);
-    const auto has_one = [&](std::size_t i) {
-        return spheres_.may_be_within(i) && is_found(pairs_[i]);
-    };
-    bool has_found = !pairs_.empty() && has_one(last_);
-    for (std::size_t i = 0; i < pairs_.size() && !has_found; ++i) {
-        if (i != last_ && has_one(i)) {
-            has_found = true;
-            last_ = i;
-        }
-    }
+    const auto* const whole = std::get_if<SubtreePair>(&trees_);
+    const bool has_found =
+        whole != nullptr
+            ? is_found(*whole)
+            : ask_roots(*std::get<const CutBodies*>(trees_), poses, clearance, is_found);
     statistics_ += search_.report().statistics;
+    return has_found;
+}
+
+template <class IsFound>
+bool TreeQuestions::ask_roots(const CutBodies& bodies,
+                              const PosePair& poses,
+                              double distance,
+                              const IsFound& is_found) {
+    if (last_ && is_found(*bodies.subtrees(*last_))) {
+        return true;
+    }
+    bool has_found = false;
+    statistics_.box_tests += bodies.visit_within(
+        poses, distance, [&](const RootPair& roots, const SubtreePair& subtrees) {
+            if (roots != last_ && is_found(subtrees)) {
+                has_found = true;
+                last_ = roots;
+            }
+            return !has_found;
+        });
     return has_found;
 }
 

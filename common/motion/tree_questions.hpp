@@ -2,27 +2,25 @@
 #pragma once
 
 #include "common/motion/cells.hpp"
-#include "common/motion/pair_spheres.hpp"
+#include "common/motion/cut_bodies.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/search/subtree_pair.hpp"
 #include "common/tree/query_statistics.hpp"
 
-#include <cstddef>
 #include <optional>
-#include <span>
-#include <vector>
+#include <variant>
 
 namespace cd {
 
-/// Asks one search about pairs of subtrees that together hold all pairs of triangles that matter.
+/// The bodies of a motion: whole trees, or cut ones, which outlive this object.
+using MovingTrees = std::variant<SubtreePair, const CutBodies*>;
+
 class TreeQuestions {
   public:
     /// The options of the search have a clearance. The event is that of `clearance`: without one,
-    /// contact. Search and pairs outlive this object.
-    TreeQuestions(ContactSearch& search,
-                  std::span<const SubtreePair> pairs,
-                  std::optional<double> clearance)
-        : search_(search), pairs_(pairs), spheres_(pairs), clearance_(clearance) {}
+    /// contact. The search outlives this object.
+    TreeQuestions(ContactSearch& search, const MovingTrees& trees, std::optional<double> clearance)
+        : search_(search), trees_(trees), clearance_(clearance) {}
 
     /// Whether the bodies are at most this far apart.
     [[nodiscard]] bool is_within(const PosePair& poses, double distance);
@@ -41,12 +39,16 @@ class TreeQuestions {
   private:
     template <class IsFound>
     bool ask(const PosePair& poses, double clearance, const IsFound& is_found);
+    template <class IsFound>
+    bool ask_roots(const CutBodies& bodies,
+                   const PosePair& poses,
+                   double distance,
+                   const IsFound& is_found);
 
     ContactSearch& search_;
-    std::span<const SubtreePair> pairs_;
-    PairSpheres spheres_; ///< Of `pairs_`.
+    MovingTrees trees_;
     std::optional<double> clearance_;
-    std::size_t last_ = 0; ///< The pair that answered yes last; it mostly does so again.
+    std::optional<RootPair> last_; ///< The roots that answered yes last; they mostly do so again.
     QueryStatistics statistics_;
 };
 

@@ -65,9 +65,10 @@ class TopDescent {
           boxes_(relative_pose(poses), 1, body_reach(poses, clearance)),
           posed_(boxes_.pose(b.nodes[0])) {}
 
-    /// Returns the pairs of leaves of the upper trees whose boxes may overlap. Errors: TooLarge.
-    [[nodiscard]] Result<std::vector<RootPair>> leaf_pairs() {
-        std::vector<RootPair> found;
+    /// Calls `visit` for the pairs of leaves of the upper trees whose boxes may overlap, until it
+    /// returns false.
+    template <class Visit>
+    void visit_leaf_pairs(const Visit& visit) {
         push_if_overlapping({0, 0});
         while (!waiting_.empty()) {
             const RootPair now = waiting_.back();
@@ -75,13 +76,9 @@ class TopDescent {
             const ObbNode& a = a_.nodes[now.a];
             const ObbNode& b = b_.nodes[now.b];
             if (a.is_leaf() && b.is_leaf()) {
-                if (found.size() == limits::root_pairs_max) {
-                    return Error{ErrorCode::TooLarge,
-                                 "more than " + std::to_string(limits::root_pairs_max) +
-                                     " pairs of distribution roots overlap; a smaller "
-                                     "distribution depth helps"};
+                if (!visit(now)) {
+                    return;
                 }
-                found.push_back(now);
             } else if (opens_a(a, b)) {
                 push_if_overlapping({now.a + 1, now.b});
                 push_if_overlapping({a.right, now.b});
@@ -90,7 +87,6 @@ class TopDescent {
                 push_if_overlapping({now.a, b.right});
             }
         }
-        return found;
     }
 
     [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
@@ -236,16 +232,42 @@ TreeTop make_tree_top(std::vector<ObbNode> nodes) {
 
 Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance) {
+    CollidingRoots found;
+    bool are_too_many = false;
+    const auto add = [&](const RootPair& pair) {
+        are_too_many = found.pairs.size() == limits::root_pairs_max;
+        if (!are_too_many) {
+            found.pairs.push_back(pair);
+        }
+        return !are_too_many;
+    };
+    found.box_tests = visit_colliding_roots(a, b, poses, clearance, add);
+    if (are_too_many) {
+        return Error{ErrorCode::TooLarge,
+                     "more than " + std::to_string(limits::root_pairs_max) +
+                         " pairs of distribution roots overlap; a smaller distribution depth "
+                         "helps"};
+    }
+    std::sort(found.pairs.begin(), found.pairs.end());
+    return found;
+}
+
+std::uint64_t visit_colliding_roots(const TreeTop& a,
+                                    const TreeTop& b,
+                                    const PosePair& poses,
+                                    double clearance,
+                                    const std::function<bool(const RootPair&)>& visit) {
     TopDescent descent(a, b, poses, clearance);
-    Result<std::vector<RootPair>> pairs = descent.leaf_pairs();
-    if (!pairs) {
-        return pairs.error();
-    }
-    for (RootPair& pair : pairs.value()) {
-        pair = {root_at(a, pair.a), root_at(b, pair.b)};
-    }
-    std::sort(pairs.value().begin(), pairs.value().end());
-    return CollidingRoots{std::move(pairs.value()), descent.box_tests()};
+    descent.visit_leaf_pairs([&](const RootPair& nodes) {
+        return visit({root_at(a, nodes.a), root_at(b, nodes.b)});
+    });
+    return descent.box_tests();
+}
+
+TreeTop whole_body(const TreeTop& top) {
+    ObbNode root = top.nodes.front();
+    root.right = 0;
+    return make_tree_top({root});
 }
 
 double distance_bound(const TreeTop& a, const TreeTop& b, const PosePair& poses) {

@@ -8,6 +8,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -73,6 +74,17 @@ struct CollidingRoots {
 /// `limits::root_pairs_max` pairs.
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance = 0);
+
+/// Calls `visit` for each pair that `colliding_roots` returns, in another order, until it returns
+/// false. Returns the number of box pairs that were tested.
+std::uint64_t visit_colliding_roots(const TreeTop& a,
+                                    const TreeTop& b,
+                                    const PosePair& poses,
+                                    double clearance,
+                                    const std::function<bool(const RootPair&)>& visit);
+
+/// Returns the upper tree of the same body cut at depth 0: its only root is the whole body.
+[[nodiscard]] TreeTop whole_body(const TreeTop& top);
 
 /// Returns an upper bound on the distance in the world of two bodies' nearest triangles: every box
 /// of an upper tree holds a triangle, so the bound is the least of the greatest distances of two

@@ -317,11 +317,12 @@ Status SqliteDatabase::check_version() {
     if (version == schema_version) {
         return Done{};
     }
-    return Error{ErrorCode::Io,
-                 path_.string() + " is of version " + std::to_string(version) +
-                     ", and this cdmaster reads version " + std::to_string(schema_version) +
-                     "; nothing was changed: start the cdmaster that wrote it, or move the state "
-                     "directory away and start with an empty one"};
+    return Error{
+        ErrorCode::Io,
+        path_.string() + " is of version " + std::to_string(version) +
+            ", and this cdmaster reads version " + std::to_string(schema_version) +
+            "; nothing was changed: finish or remove its jobs with the cdmaster that wrote "
+            "it, or start with an empty --state"};
 }
 
 Status SqliteDatabase::read_meta() {

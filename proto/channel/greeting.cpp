@@ -46,10 +46,14 @@ Status check_version(const Hello& hello) {
     if (hello.version == protocol_version) {
         return Done{};
     }
+    const std::string peer = hello.role == Role::Client ? "client" : "worker";
+    const std::string here = hello.role == Role::Peer ? "worker" : "master";
+    const std::string to_upgrade =
+        hello.version < protocol_version ? peer + " " + hello.name : "this " + here;
     return Error{ErrorCode::Refused,
-                 "the peer speaks version " + std::to_string(hello.version) +
-                     " of the protocol, this side version " + std::to_string(protocol_version) +
-                     ": install the same release on both hosts"};
+                 peer + " " + hello.name + " speaks version " + std::to_string(hello.version) +
+                     " of the protocol, this " + here + " version " +
+                     std::to_string(protocol_version) + ": upgrade " + to_upgrade};
 }
 
 asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {

@@ -90,7 +90,9 @@ struct WorkUnit {
     Bytes scenarios;         ///< `pack_scenarios`; empty: grid positions [first, first + count).
     /// Scenario i has `pairs` [offset i, offset i + 1): count + 1 entries. Empty: not analysed.
     std::vector<std::uint32_t> pair_offsets;
-    std::vector<RootPair> pairs; ///< Colliding pairs of distribution roots.
+    /// Colliding pairs of distribution roots; for motions those that name all roots
+    /// (`query_roots`).
+    std::vector<RootPair> pairs;
 
     [[nodiscard]] bool is_analysed() const { return !pair_offsets.empty(); }
 };

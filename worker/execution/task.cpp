@@ -84,7 +84,7 @@ Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCac
     Task task(unit.task, std::move(job), std::move(scenarios.value()), std::move(trees));
     if (unit.is_analysed()) {
         task.pairs_ = TaskPairs(std::move(unit.pair_offsets), std::move(unit.pairs));
-        task.plan_looks(cache);
+        task.plan_walks(cache);
     } else {
         task.unwalked_end_ = unit.count;
     }
@@ -101,11 +101,15 @@ Task::Task(TaskId id,
       trees_(std::move(trees)),
       unanswered_(scenarios_.size()) {}
 
-void Task::plan_looks(const SubtreeCache& cache) {
+void Task::plan_walks(const SubtreeCache& cache) {
+    const bool is_motion = job_->query.question == Question::Motion;
     for (std::size_t scenario = 0; scenario < scenario_count(); ++scenario) {
-        if (looks_twice(job_->query, pairs_.of(scenario)) &&
-            !std::ranges::all_of(roots_of(scenario),
-                                 [&](const SubtreeKey& key) { return cache.has(key); })) {
+        if (is_motion) {
+            const auto pairs = pairs_.of(scenario);
+            pairs_.set({scenario, {pairs.begin(), pairs.end()}, true, pairs.size()});
+        } else if (looks_twice(job_->query, pairs_.of(scenario)) &&
+                   !std::ranges::all_of(roots_of(scenario),
+                                        [&](const SubtreeKey& key) { return cache.has(key); })) {
             pairs_.set({scenario, {}, true, pairs_.named(scenario)});
         }
     }
@@ -115,7 +119,7 @@ std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
     const Scenario of = scenarios_.at(scenario);
     const auto pairs = pairs_.of(scenario);
     std::vector<SubtreeKey> keys;
-    if (pairs.empty() && looks_again(scenario)) {
+    if (walks_again(scenario)) {
         keys = {{job_->tree_a(of), top_root}, {job_->tree_b(of), top_root}};
     }
     for (const RootIndex root : roots_of_a(pairs)) {
@@ -146,7 +150,7 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     return ready;
 }
 
-Walk Task::next_look(std::size_t scenario, SubtreeCache& cache) const {
+Walk Task::walk_of(std::size_t scenario, SubtreeCache& cache) const {
     const Scenario of = scenarios_.at(scenario);
     Walk walk{job_, scenarios_, scenario, scenario + 1, {}, answered_elsewhere_};
     for (const TreeId tree : {job_->tree_a(of), job_->tree_b(of)}) {

@@ -37,16 +37,16 @@ class Task {
     [[nodiscard]] const std::set<TreeId>& trees() const { return trees_; }
 
     // ---- Scenarios whose roots are known ----------------------------------------------------
-    /// The distinct subtrees that a scenario needs now, ascending: of its pairs, or both upper
-    /// trees if a descent has to find its first look.
+    /// The distinct subtrees that a scenario needs now, ascending: those of its pairs, and both
+    /// upper trees if it walks again.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
-    /// Whether a scenario needs a further descent once `roots_of(scenario)` are cached, because the
-    /// pairs known are those of a first look at a distance.
-    [[nodiscard]] bool looks_again(std::size_t scenario) const {
-        return pairs_.are_first_look(scenario);
+    /// Whether a scenario needs a descent once `roots_of(scenario)` are cached
+    /// (`Walked::Waiting`).
+    [[nodiscard]] bool walks_again(std::size_t scenario) const {
+        return pairs_.walks_again(scenario);
     }
-    /// Returns the further descent of a scenario that looks again.
-    [[nodiscard]] Walk next_look(std::size_t scenario, SubtreeCache& cache) const;
+    /// Returns the descent of a scenario that walks again.
+    [[nodiscard]] Walk walk_of(std::size_t scenario, SubtreeCache& cache) const;
     /// Collects the data of a scenario for a thread. Requires `roots_of(scenario)` to be cached.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
@@ -96,8 +96,9 @@ class Task {
          TaskScenarios scenarios,
          std::set<TreeId> trees);
 
-    /// Lets those scenarios of an analysed unit look twice that would fetch subtrees otherwise.
-    void plan_looks(const SubtreeCache& cache);
+    /// Plans descents for scenarios of an analysed unit: all motions, and distances that look twice
+    /// because they would fetch subtrees otherwise.
+    void plan_walks(const SubtreeCache& cache);
 
     TaskId id_;
     std::shared_ptr<const WorkerJob> job_;

@@ -38,10 +38,10 @@ class TaskPairs {
         const auto found = found_.find(scenario);
         return found != found_.end() ? found->second.named : of(scenario).size();
     }
-    /// Whether the pairs of a scenario are those of a first look.
-    [[nodiscard]] bool are_first_look(std::size_t scenario) const {
+    /// Whether a further descent answers a scenario.
+    [[nodiscard]] bool walks_again(std::size_t scenario) const {
         const auto found = found_.find(scenario);
-        return found != found_.end() && found->second.is_first_look;
+        return found != found_.end() && found->second.walks_again;
     }
 
   private:

@@ -70,6 +70,10 @@ class Walker {
         TreeId id;
         const PartialObbTree* tree = nullptr;
         UsedRoots* used = nullptr;
+
+        [[nodiscard]] CutBodies::Body cut() const {
+            return {tree->top(), [this](RootIndex root) { return tree->at(root).get(); }};
+        }
     };
 
     /// Turns to the trees of a scenario's bodies, which are mostly those of the scenario before.
@@ -165,7 +169,8 @@ class Walker {
                      std::size_t named,
                      const RunOptions& options) {
         if (!gather(pairs)) {
-            walked_.waiting.push_back({which, std::move(pairs), false, named});
+            const bool is_motion = walk_.job->query.question == Question::Motion;
+            walked_.waiting.push_back({which, std::move(pairs), is_motion, named});
             return true;
         }
         return add(run_on_gathered(pairs, scenario, options), named);
@@ -185,7 +190,9 @@ class Walker {
 
     /// Runs a scenario on the pairs gathered.
     [[nodiscard]] ScenarioRun run_on_pairs(const Scenario& scenario, RunOptions options) {
+        const CutBodies cut(a_.cut(), b_.cut());
         options.radii = radii_of(walk_.job->radii, scenario);
+        options.cut = walk_.job->query.question == Question::Motion ? &cut : nullptr;
         return run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
     }
 

@@ -201,8 +201,8 @@ Task* TaskRunner::next_to_walk() {
 
 void TaskRunner::start(const Entry& entry) {
     const Task& task = book_.at(entry.task);
-    if (task.looks_again(entry.scenario)) {
-        return start_walk(task, task.next_look(entry.scenario, blocks_.cache()), entry);
+    if (task.walks_again(entry.scenario)) {
+        return start_walk(task, task.walk_of(entry.scenario, blocks_.cache()), entry);
     }
     ++running_;
     hub_.run_on_thread([this,

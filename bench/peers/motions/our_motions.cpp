@@ -24,7 +24,7 @@ class OurMotionBodies final : public MotionBodies {
     Impact find(const KeyedPath& path) override {
         const auto motion = Motion::create(path.from, path.to, radii_, resolution_);
         CD_CHECK(motion.has_value());
-        TreeQuestions questions(*search_, {&whole_, 1}, {});
+        TreeQuestions questions(*search_, whole_, {});
         const MotionAnswer answer =
             search_cells(motion.value(), Until::Contact, 0, questions.for_cells());
         const double unit = std::exp2(-static_cast<double>(answer.depth));

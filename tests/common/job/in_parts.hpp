@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -26,6 +28,14 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
     return parts;
 }
 
+/// Returns a function that gives the parts of these roots alone.
+[[nodiscard]] inline std::function<const Subtree*(RootIndex)>
+named_parts(const std::vector<Subtree>& parts, std::vector<RootIndex> named) {
+    return [&parts, named = std::move(named)](RootIndex root) {
+        return std::ranges::binary_search(named, root) ? &parts[root] : nullptr;
+    };
+}
+
 /// Cuts both trees, and runs on the colliding parts in random order.
 [[nodiscard]] inline ScenarioResult run_in_parts(const ObbTree& a,
                                                  const ObbTree& b,
@@ -38,10 +48,12 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
     const std::vector<Subtree> parts_b = decoded_parts(b, depths[1], form);
     RunOptions options;
     options.radii = radii_of(radii_for(TreesByBody(a, b), query), scenario);
-    auto roots =
-        query_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario, query, options.radii)
-            .value()
-            .pairs;
+    const TreeTop top_a = cut_tree(a, depths[0]);
+    const TreeTop top_b = cut_tree(b, depths[1]);
+    auto roots = query_roots(top_a, top_b, scenario, query, options.radii).value().pairs;
+    const CutBodies cut({top_a, named_parts(parts_a, roots_of_a(roots))},
+                        {top_b, named_parts(parts_b, roots_of_b(roots))});
+    options.cut = query.question == Question::Motion ? &cut : nullptr;
     std::shuffle(roots.begin(), roots.end(), random);
     std::vector<SubtreePair> parts;
     for (const RootPair& pair : roots) {

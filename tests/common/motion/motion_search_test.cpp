@@ -4,7 +4,7 @@
 #include "common/motion/cells.hpp"
 #include "common/motion/tree_questions.hpp"
 #include "common/search/contact_search.hpp"
-#include "tests/support/cut_pairs.hpp"
+#include "tests/support/cut_trees.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/trees.hpp"
@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace cd::tests {
@@ -43,21 +42,24 @@ struct MovingBodies {
                              resolution)) {}
 };
 
-/// Searches a motion by pairs of subtrees that hold all pairs of triangles.
-MotionAnswer answer_of(std::span<const SubtreePair> pairs,
+/// Searches a motion of the whole bodies, or of `cut`.
+MotionAnswer answer_of(const SubtreePair& whole,
                        const Motion& motion,
                        Until until,
-                       std::optional<double> clearance) {
+                       std::optional<double> clearance = {},
+                       const CutBodies* cut = nullptr) {
     const auto search =
-        make_search(pairs[0].a, pairs[0].b, PosePair{}, {}, {.clearance = clearance.value_or(0)});
-    TreeQuestions questions(*search, pairs, clearance);
+        make_search(whole.a, whole.b, PosePair{}, {}, {.clearance = clearance.value_or(0)});
+    const MovingTrees trees = cut != nullptr ? MovingTrees(cut) : MovingTrees(whole);
+    TreeQuestions questions(*search, trees, clearance);
     return search_cells(motion, until, clearance.value_or(0), questions.for_cells());
 }
 
-MotionAnswer
-answer_of(const MovingBodies& bodies, Until until, std::optional<double> clearance = {}) {
-    const SubtreePair whole{bodies.a.view(), bodies.b.view()};
-    return answer_of({&whole, 1}, bodies.motion, until, clearance);
+MotionAnswer answer_of(const MovingBodies& bodies,
+                       Until until,
+                       std::optional<double> clearance = {},
+                       const CutBodies* cut = nullptr) {
+    return answer_of({bodies.a.view(), bodies.b.view()}, bodies.motion, until, clearance, cut);
 }
 
 /// Decides the event at all 2^K + 1 instants.
@@ -135,8 +137,9 @@ void expect_cut_agreement(const MovingBodies& bodies,
                           const MotionAnswer& whole,
                           std::optional<double> clearance) {
     for (const std::uint32_t depth : {1u, 3u}) {
-        const CutPairs cut(bodies.a, bodies.b, depth);
-        const MotionAnswer answer = answer_of(cut.pairs(), bodies.motion, Until::End, clearance);
+        const CutTrees trees(bodies.a, bodies.b, depth);
+        const CutBodies cut = trees.bodies();
+        const MotionAnswer answer = answer_of(bodies, Until::End, clearance, &cut);
         EXPECT_EQ(answer.runs, whole.runs) << "cut at depth " << depth;
         EXPECT_EQ(answer.cells, whole.cells);
         EXPECT_EQ(answer.open_within, whole.open_within);
@@ -408,7 +411,7 @@ TEST(MotionSearch, BothTreeFormsGiveOneAnswer) {
     std::vector<MotionAnswer> answers;
     for (std::size_t form = 0; form < 2; ++form) {
         const SubtreePair trees{forms_of(bodies.a)[form], forms_of(bodies.b)[form]};
-        answers.push_back(answer_of({&trees, 1}, bodies.motion, Until::End, 0.1));
+        answers.push_back(answer_of(trees, bodies.motion, Until::End, 0.1));
     }
     EXPECT_EQ(answers[0].runs, answers[1].runs);
     EXPECT_EQ(answers[0].cells, answers[1].cells);

@@ -6,6 +6,7 @@
 
 #include "common/search/binary_search.hpp"
 #include "common/tree/wire/subtree_block.hpp"
+#include "common/tree/wire/top_block.hpp"
 #include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,31 @@ TEST(Cut, TheRootsTogetherAreTheWholeAnswerEachContactOnce) {
         }
     }
     EXPECT_GT(contacts, 1000u);
+}
+
+TEST(Cut, AVisitHasTheSamePairsUntilItEnds) {
+    const ObbTree sphere = make_tree(make_sphere(2));
+    const TreeTop top = cut_tree(sphere, 4);
+    const PosePair poses{Pose{}, Pose::from_quaternion({}, Vec3(0.7, 0, 0))};
+    const CollidingRoots all = colliding_roots(top, top, poses, 0.1).value();
+    std::vector<RootPair> visited;
+    const auto visit = [&](const RootPair& pair) {
+        visited.push_back(pair);
+        return true;
+    };
+    EXPECT_EQ(visit_colliding_roots(top, top, poses, 0.1, visit), all.box_tests);
+    std::ranges::sort(visited);
+    EXPECT_EQ(visited, all.pairs);
+    int visits = 0;
+    visit_colliding_roots(top, top, poses, 0.1, [&](const RootPair&) { return ++visits < 3; });
+    EXPECT_EQ(visits, 3);
+}
+
+TEST(Cut, TheWholeBodyIsTheOnlyRootAtDepth0) {
+    const ObbTree sphere = make_tree(make_sphere(2));
+    const TreeTop whole = whole_body(cut_tree(sphere, 4));
+    EXPECT_EQ(encode_top(whole), encode_top(cut_tree(sphere, 0)));
+    EXPECT_EQ(whole.root_count(), 1u);
 }
 
 TEST(Cut, EveryDepthGivesTheSameAnswer) {

@@ -345,18 +345,23 @@ asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
     EXPECT_FALSE(channel->is_open());
 }
 
-CD_CONVERSATION(Greeting, AnotherVersionIsRefusedAndBothSidesSayWhy) {
-    Ends ends = co_await connect_ends();
+CD_CONVERSATION(Greeting, AnotherVersionIsRefusedAndBothSidesSayWhatToUpgrade) {
     const auto executor = co_await asio::this_coro::executor;
-    spawn(executor, "refuse", refuse(std::move(ends.right)));
-    Hello hello;
-    hello.version = protocol_version + 1;
-    const Result<Welcome> welcome = co_await greet(ends.left, hello);
-    EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
-    EXPECT_THAT(welcome.error().detail,
-                HasSubstr("speaks version " + std::to_string(protocol_version + 1) +
-                          " of the protocol, this side version " +
-                          std::to_string(protocol_version)));
+    const std::string ours = std::to_string(protocol_version);
+    for (const bool is_newer : {true, false}) {
+        Ends ends = co_await connect_ends();
+        spawn(executor, "refuse", refuse(std::move(ends.right)));
+        Hello hello;
+        hello.role = Role::Worker;
+        hello.name = "w-7";
+        hello.version = static_cast<std::uint16_t>(protocol_version + (is_newer ? 1 : -1));
+        const Result<Welcome> welcome = co_await greet(ends.left, hello);
+        EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
+        EXPECT_EQ(welcome.error().detail,
+                  "worker w-7 speaks version " + std::to_string(hello.version) +
+                      " of the protocol, this master version " + ours + ": upgrade " +
+                      (is_newer ? "this master" : "worker w-7"));
+    }
 }
 
 CD_CONVERSATION(Greeting, AWelcomeOfAnotherVersionIsNone) {

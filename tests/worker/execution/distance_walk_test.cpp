@@ -115,7 +115,7 @@ TEST(DistanceWalk, TheSecondLookAsksForRootsThatMayBeNearer) {
     const Walked first = worker.walk_one(scenario);
     EXPECT_EQ(first.finished.count, 0u);
     ASSERT_EQ(first.waiting.size(), 1u);
-    EXPECT_TRUE(first.waiting[0].is_first_look);
+    EXPECT_TRUE(first.waiting[0].walks_again);
     EXPECT_EQ(first.waiting[0].pairs, worker.nearest(scenario));
 
     worker.give(first.waiting[0].pairs);
@@ -124,7 +124,7 @@ TEST(DistanceWalk, TheSecondLookAsksForRootsThatMayBeNearer) {
     EXPECT_GT(second.finished.statistics.box_tests, first.finished.statistics.box_tests)
         << "the work of the first look counts";
     ASSERT_EQ(second.waiting.size(), 1u);
-    EXPECT_FALSE(second.waiting[0].is_first_look);
+    EXPECT_FALSE(second.waiting[0].walks_again);
     EXPECT_LT(blocks_of(second.waiting[0].pairs), blocks_of(named));
 
     worker.give(second.waiting[0].pairs);
@@ -177,7 +177,7 @@ TEST(DistanceWalk, FewPairsAreLookedAtOnce) {
     ASSERT_FALSE(named.empty());
     const Walked walked = worker.walk_one(scenario);
     ASSERT_EQ(walked.waiting.size(), 1u);
-    EXPECT_FALSE(walked.waiting[0].is_first_look);
+    EXPECT_FALSE(walked.waiting[0].walks_again);
     EXPECT_EQ(walked.waiting[0].pairs, named);
 }
 
@@ -188,7 +188,7 @@ TEST(DistanceWalk, AContactInTheFirstLookNeedsNothingElse) {
         const Scenario scenario = make_scenario({Pose{}, make_pose(random, 1)});
         const Walked first = worker.walk_one(scenario);
         ASSERT_EQ(first.waiting.size(), 1u);
-        EXPECT_TRUE(first.waiting[0].is_first_look);
+        EXPECT_TRUE(first.waiting[0].walks_again);
         worker.give(first.waiting[0].pairs);
         const Walked second = worker.walk_one(scenario);
         if (second.waiting.empty()) {
