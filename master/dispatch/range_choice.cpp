@@ -6,6 +6,9 @@ namespace cd {
 
 bool prefers_ranges(const RangeCosts& costs) {
     const MissingCosts& missing = costs.missing;
+    if (missing.all == 0 && costs.threads_workers > 0) {
+        return true;
+    }
     if (!missing.matched || !missing.any) {
         return false;
     }

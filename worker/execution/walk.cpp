@@ -26,6 +26,8 @@ class UsedRoots {
     bool add(RootIndex root, std::uint32_t scenario) {
         return std::exchange(used_by_[root], scenario) != scenario;
     }
+    /// Records that a scenario uses all roots.
+    void add_all(std::uint32_t scenario) { std::ranges::fill(used_by_, scenario); }
     void append_keys(TreeId tree, std::vector<SubtreeKey>& keys) const {
         for (RootIndex root = 0; root < used_by_.size(); ++root) {
             if (used_by_[root] != 0) {
@@ -46,6 +48,9 @@ class Walker {
     bool run(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         ++scenario_;
         turn_to(scenario);
+        if (joined_ != nullptr) {
+            return run_on_joined(scenario, options);
+        }
         if (touching_ && gather({&*touching_, 1})) {
             const ScenarioRun run = run_on_pairs(scenario, options);
             if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
@@ -57,6 +62,7 @@ class Walker {
     }
 
     [[nodiscard]] Walked take() {
+        give_back_joined();
         walked_.finished.map = map_.take();
         for (const auto& [tree, roots] : used_) {
             roots.append_keys(tree, walked_.used);
@@ -70,6 +76,7 @@ class Walker {
         TreeId id;
         const PartialObbTree* tree = nullptr;
         UsedRoots* used = nullptr;
+        std::shared_ptr<const WideTree> joined; ///< Null if there is none.
 
         [[nodiscard]] CutBodies::Body cut() const {
             return {tree->top(), [this](RootIndex root) { return tree->at(root).get(); }};
@@ -87,18 +94,48 @@ class Walker {
         b_ = side_of(b);
         search_ = &kept_.of(a, b);
         touching_.reset();
+        give_back_joined();
+        if (a_.joined != nullptr && b_.joined != nullptr && never_has_too_many_pairs()) {
+            joined_ = walk_.job->joined_searches->take(a_.joined, b_.joined);
+            a_.used->add_all(scenario_);
+            b_.used->add_all(scenario_);
+        }
+    }
+
+    void give_back_joined() {
+        if (joined_ != nullptr) {
+            walk_.job->joined_searches->give_back(std::move(joined_));
+        }
     }
 
     [[nodiscard]] Side side_of(TreeId id) {
         const PartialObbTree* const tree = walk_.trees.at(id).get();
-        return {id, tree, &used_.try_emplace(id, tree->root_count()).first->second};
+        const auto joined = walk_.joined.find(id);
+        return {id,
+                tree,
+                &used_.try_emplace(id, tree->root_count()).first->second,
+                joined == walk_.joined.end() ? nullptr : joined->second};
     }
 
-    /// Returns whether a contact below one pair of roots is the whole answer: at `level any`,
-    /// for trees that never have too many colliding roots, which would be a failure.
-    [[nodiscard]] bool can_expect_touch() const {
+    /// Returns whether the trees can never have too many colliding roots, which would be a failure
+    /// whatever the whole trees would answer.
+    [[nodiscard]] bool never_has_too_many_pairs() const {
         const std::uint64_t pairs = std::uint64_t{a_.tree->root_count()} * b_.tree->root_count();
-        return walk_.job->query.level == Level::Any && pairs <= limits::root_pairs_max;
+        return pairs <= limits::root_pairs_max;
+    }
+
+    /// Runs a scenario on the joined trees, which needs no descent of the upper trees. Returns
+    /// false if stopped.
+    bool run_on_joined(const Scenario& scenario, RunOptions options) {
+        walked_.found += a_.tree->root_count() + (a_.id == b_.id ? 0 : b_.tree->root_count());
+        options.radii = radii_of(walk_.job->radii, scenario);
+        pairs_.resize(1); // The whole bodies count as a pair of roots.
+        return add(joined_->run(scenario, walk_.job->query, options), pairs_.size());
+    }
+
+    /// Returns whether a contact below one pair of roots is the whole answer.
+    [[nodiscard]] bool can_expect_touch() const {
+        return walk_.job->query.level == Level::Any && never_has_too_many_pairs();
     }
 
     /// Finds the colliding roots and runs the scenario, or records that it waits for subtrees.
@@ -241,6 +278,7 @@ class Walker {
     Side a_;
     Side b_;
     KeptSearch* search_ = nullptr;
+    std::unique_ptr<JoinedSearch> joined_; ///< Used instead of `search_` if both trees are joined.
     /// The pair of their roots that touched last. Under a neighbouring pose it mostly touches
     /// again. Then the scenario spares the descent of the upper trees, which costs several times as
     /// much.

@@ -52,6 +52,7 @@ struct Walk {
     std::size_t end = 0;   ///< One past the last position in the task.
     std::map<TreeId, std::shared_ptr<const PartialObbTree>> trees;
     std::shared_ptr<const DroppedScenarios> answered_elsewhere;
+    std::map<TreeId, std::shared_ptr<const WideTree>> joined = {}; ///< Joined ones of `trees`.
 };
 
 /// Results of several scenarios.

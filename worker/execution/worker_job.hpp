@@ -7,6 +7,7 @@
 #include "common/job/scenario.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
+#include "worker/execution/joined_searches.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -41,6 +42,8 @@ struct WorkerJob {
     std::vector<double> radii;                 ///< Of each body, in a job of motions; else empty.
     /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
+
+    std::shared_ptr<JoinedSearches> joined_searches = std::make_shared<JoinedSearches>();
 
     [[nodiscard]] TreeId tree_a(const Scenario& scenario) const { return trees[scenario.body_a]; }
     [[nodiscard]] TreeId tree_b(const Scenario& scenario) const { return trees[scenario.body_b]; }

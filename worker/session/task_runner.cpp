@@ -25,6 +25,7 @@ TaskRunner::TaskRunner(SessionHub& hub,
       master_(master),
       blocks_(blocks),
       computed_(std::move(computed)),
+      joiner_(hub, blocks.cache()),
       flush_timer_(hub.home()) {}
 
 void TaskRunner::stop() {
@@ -232,6 +233,7 @@ void TaskRunner::start(const Entry& entry) {
 }
 
 void TaskRunner::start_walk(const Task& task, Walk next, const Entry& entry) {
+    joiner_.prepare(next);
     ++running_;
     hub_.run_on_thread([this,
                         over = hub_.over(),

@@ -6,6 +6,7 @@
 #include "worker/session/scenario_queue.hpp"
 #include "worker/session/session_hub.hpp"
 #include "worker/session/task_book.hpp"
+#include "worker/session/tree_joiner.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -80,6 +81,7 @@ class TaskRunner {
     MasterLink& master_;
     BlockInbox& blocks_;
     std::shared_ptr<std::atomic<std::uint64_t>> computed_;
+    TreeJoiner joiner_;
     TaskBook book_;
     ScenarioQueue queue_;
     std::size_t running_ = 0; ///< Functions submitted to the threads and not yet continued.

@@ -18,9 +18,21 @@ double RangePace::per_thread(WorkerId worker, double otherwise) const {
     return own == of_workers_.end() ? general : own->second.value_or(general);
 }
 
+void ScenarioAverage::add(double sum, double scenarios) {
+    constexpr double kept = 0.9;
+    sum_ = kept * sum_ + sum;
+    scenarios_ = kept * scenarios_ + scenarios;
+}
+
+std::optional<double> ScenarioAverage::value() const {
+    return scenarios_ > 0 ? std::optional(sum_ / scenarios_) : std::nullopt;
+}
+
 void MissingMeter::add_sample(double seconds_any) {
     any_.add(seconds_any, 1);
-    matched_.add(seconds_, period);
+    if (held_ > 1) { // Nothing was matched before the first sample.
+        matched_.add(seconds_, period);
+    }
     seconds_ = 0;
 }
 
@@ -29,7 +41,7 @@ void MissingMeter::ranges_answered(std::uint64_t scenarios) {
 }
 
 void MissingMeter::tell(MissingCosts& costs) const {
-    if (matched_.is_known() && any_.is_known()) {
+    if (matched_.value() && any_.value()) {
         costs.matched = matched_.value();
         costs.any = any_.value();
     }

@@ -7,6 +7,7 @@
 #include "master/dispatch/worker_pace.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 namespace cd {
@@ -25,6 +26,18 @@ class RangePace {
     std::unordered_map<WorkerId, LearnedRate> of_workers_;
 };
 
+/// An average over scenarios, of which recent ones count more.
+class ScenarioAverage {
+  public:
+    /// Adds the sum over so many scenarios, which may be 0.
+    void add(double sum, double scenarios);
+    [[nodiscard]] std::optional<double> value() const;
+
+  private:
+    double sum_ = 0;
+    double scenarios_ = 0;
+};
+
 /// Seconds per scenario to fetch and open its missing blocks, at the worker chosen by matching and
 /// at an average worker.
 class MissingMeter {
@@ -40,18 +53,18 @@ class MissingMeter {
     /// Divides the time added by `add_in_ranges` by the scenarios that these ranges answered.
     void ranges_answered(std::uint64_t scenarios);
     /// Seconds per scenario at an average worker.
-    [[nodiscard]] double any_or(double otherwise) const { return any_.value_or(otherwise); }
+    [[nodiscard]] double any_or(double otherwise) const { return any_.value().value_or(otherwise); }
     /// Sets `matched` and `any` of the costs, if both are known.
     void tell(MissingCosts& costs) const;
 
   private:
     static constexpr std::uint64_t period = 16;
 
-    LearnedRate matched_;    ///< Seconds per scenario, at the chosen worker.
-    LearnedRate any_;        ///< Seconds per scenario, at an average worker.
-    std::uint64_t held_ = 0; ///< Number of calls of `is_sampled`.
-    double seconds_ = 0;     ///< Sum of `add_matched` since the last sample.
-    double in_ranges_ = 0;   ///< Sum of `add_in_ranges` since the last answers of a range.
+    ScenarioAverage matched_; ///< Seconds, at the chosen worker.
+    ScenarioAverage any_;     ///< Seconds, at an average worker.
+    std::uint64_t held_ = 0;  ///< Number of calls of `is_sampled`.
+    double seconds_ = 0;      ///< Sum of `add_matched` since the last sample.
+    double in_ranges_ = 0;    ///< Sum of `add_in_ranges` since the last answers of a range.
 };
 
 /// Bounds the share of a job's work that gets speculative copies, in predicted time.

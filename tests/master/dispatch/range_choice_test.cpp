@@ -1,4 +1,4 @@
-// Proves when ranges are preferred: never before measurements, always if no block is missing, and
+// Proves when ranges are preferred: never before measurements unless no block is missing, and
 // otherwise if the missing blocks cost less than the matching that ranges save.
 #include "master/dispatch/range_choice.hpp"
 
@@ -17,6 +17,7 @@ RangeCosts small_cluster() {
     costs.threads_workers = 4;
     costs.missing.matched = 0;
     costs.missing.any = 0;
+    costs.missing.all = 0.01;
     return costs;
 }
 
@@ -25,6 +26,14 @@ TEST(RangeChoice, WaitsForMeasures) {
     EXPECT_TRUE(prefers_ranges(costs));
     costs.missing.any.reset();
     EXPECT_FALSE(prefers_ranges(costs));
+}
+
+TEST(RangeChoice, WorkersThatMissNothingNeedNoMeasures) {
+    RangeCosts costs;
+    costs.scenarios_left = 10'000;
+    EXPECT_TRUE(prefers_ranges(costs));
+    costs.threads_workers = 0;
+    EXPECT_FALSE(prefers_ranges(costs)) << "nobody is known to hold the blocks";
 }
 
 TEST(RangeChoice, WeighsMissingBlocksAgainstTheMatching) {

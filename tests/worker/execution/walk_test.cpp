@@ -8,6 +8,7 @@
 #include "tests/support/many_bodies.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/worker/execution/walks.hpp"
+#include "worker/cache/joined_trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,14 @@ class Sweep {
     [[nodiscard]] Walked walk_over(std::size_t begin, std::size_t end) const {
         return walk_over(begin, end, held_torus_, held_box_);
     }
+    /// Returns the same if the worker has joined the blocks of one tree, or of both.
+    [[nodiscard]] Walked walk_over_joined(bool both) const {
+        std::map<TreeId, JoinedTrees::Joined> joined{{TreeId{2}, join(held_box_)}};
+        if (both) {
+            joined.emplace(TreeId{1}, join(held_torus_));
+        }
+        return walk_over(0, 100, held_torus_, held_box_, std::move(joined));
+    }
     /// Returns the same if the worker lacks one of the box's subtrees.
     [[nodiscard]] Walked walk_without(RootIndex root, std::size_t begin, std::size_t end) const {
         PartialObbTree box = held_box_;
@@ -61,7 +70,15 @@ class Sweep {
         return classes;
     }
 
+    [[nodiscard]] std::size_t roots() const {
+        return held_torus_.root_count() + held_box_.root_count();
+    }
+
   private:
+    static JoinedTrees::Joined join(const PartialObbTree& tree) {
+        const auto blocks = std::make_shared<const PartialObbTree>(tree);
+        return JoinedTrees::Step{{}, blocks, nullptr}.run();
+    }
     static std::vector<Scenario> scenarios() {
         std::vector<Scenario> all;
         for (std::uint64_t i = 0; i < 100; ++i) {
@@ -70,15 +87,19 @@ class Sweep {
         }
         return all;
     }
-    [[nodiscard]] Walked
-    walk_over(std::size_t begin, std::size_t end, PartialObbTree a, PartialObbTree b) const {
+    [[nodiscard]] Walked walk_over(std::size_t begin,
+                                   std::size_t end,
+                                   PartialObbTree a,
+                                   PartialObbTree b,
+                                   std::map<TreeId, JoinedTrees::Joined> joined = {}) const {
         const Walk part{job_,
                         TaskScenarios(scenarios()),
                         begin,
                         end,
                         {{TreeId{1}, std::make_shared<const PartialObbTree>(std::move(a))},
                          {TreeId{2}, std::make_shared<const PartialObbTree>(std::move(b))}},
-                        std::make_shared<const DroppedScenarios>()};
+                        std::make_shared<const DroppedScenarios>(),
+                        std::move(joined)};
         ScenarioClock clock(JobId{1});
         return walk(part, {}, clock);
     }
@@ -110,6 +131,21 @@ TEST(Walk, AnswersEachScenarioOfASweepAsIfItWereAlone) {
         if (query.level == Level::Any) {
             EXPECT_LT(together.finished.statistics.box_tests, alone.statistics.box_tests * 3 / 4);
         }
+    }
+}
+
+TEST(Walk, JoinedTreesHaveTheSameRecords) {
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        const Sweep sweep({.level = level});
+        const Walked apart = sweep.walk_over(0, 100);
+        const Walked one = sweep.walk_over_joined(false);
+        EXPECT_EQ(one.finished.records, apart.finished.records);
+        EXPECT_EQ(one.found, apart.found);
+        const Walked joined = sweep.walk_over_joined(true);
+        EXPECT_EQ(joined.finished.records, apart.finished.records);
+        EXPECT_EQ(joined.found, 100 * sweep.roots());
+        EXPECT_EQ(joined.used.size(), sweep.roots());
+        EXPECT_NE(joined.finished.statistics.box_tests, apart.finished.statistics.box_tests);
     }
 }
 

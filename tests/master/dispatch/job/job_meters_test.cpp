@@ -37,6 +37,19 @@ TEST(MissingMeter, AveragesTheMatchedScenariosBetweenTwoSamples) {
     EXPECT_EQ(costs.any, 4);
 }
 
+TEST(MissingMeter, ScenariosThatMissNothingCount) {
+    MissingMeter meter;
+    MissingCosts costs;
+    for (int i = 0; i < 17; ++i) {
+        if (meter.is_sampled()) {
+            meter.add_sample(0);
+        }
+    }
+    meter.tell(costs);
+    EXPECT_EQ(costs.matched, 0);
+    EXPECT_EQ(costs.any, 0);
+}
+
 TEST(MissingMeter, LearnsFromRangesWhatAnyWorkerMisses) {
     MissingMeter meter;
     EXPECT_EQ(meter.any_or(1), 1);
