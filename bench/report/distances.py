@@ -1,5 +1,6 @@
 """Distances of ours and the peers: what distances_report measured, as a page."""
-from tables import figure, figures_table, in_order, known, number, select, show, table, total
+from tables import (figure, figures_table, in_order, known, number, select, show, table, total,
+                    unpackaged)
 
 TITLE = "Distances: ours and the peers"
 FILES = ("distances", "pairs")
@@ -24,6 +25,7 @@ def figures_section(data):
                                known(row, "ratio"), "x", lambda v: v >= 10))
     rows.append(figure("distances of ours that are wrong", "0", wrong_of_ours(data), "",
                        lambda v: v == 0))
+    rows.append(unpackaged("PQP 1.3, Coal"))
     return "## Figures\n" + figures_table(rows)
 
 

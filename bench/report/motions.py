@@ -1,5 +1,6 @@
 """Motions of ours and the peers: what motions_report measured, as a page."""
-from tables import figure, figures_table, in_order, known, number, select, show, table, total
+from tables import (figure, figures_table, in_order, known, number, select, show, table, total,
+                    unpackaged)
 
 TITLE = "Motions: ours and the peers"
 FILES = ("motions",)
@@ -14,6 +15,7 @@ def figures_section(data):
                    known(ours, "mean_ms"), "ms", lambda v: v <= 1.5),
             figure("paths that ours leaves undecided", "0",
                    total(select(data["motions"], engine=OURS), "undecided"), "", lambda v: v == 0)]
+    rows.append(unpackaged("Coal"))
     return "## Figures\n" + figures_table(rows)
 
 

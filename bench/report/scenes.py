@@ -42,11 +42,11 @@ def scenes_section(data):
         where = {"scene": ours["scene"], "bodies": ours["bodies"]}
         rows.append([ours["scene"], show(number(ours, "bodies")),
                      *(times(next(iter(select(data["scenes"], engine=engine, **where)), None))
-                       for engine in engines), "not measured here"])
+                       for engine in engines), "not measured here", "not measured here"])
     note = ("Mean and median of a step in ms, in which all bodies move; of others, the median by ours; pairs "
             "left, mean of a step; in brackets, pairs of overlapping boxes that are missing at the first "
-            "and the last step. Jolt has no Debian package.")
-    return f"## Steps\n{note}\n\n" + table(["scene", "bodies", *engines, "Jolt"], rows)
+            "and the last step. Coal and Jolt have no Debian package.")
+    return f"## Steps\n{note}\n\n" + table(["scene", "bodies", *engines, "Coal", "Jolt"], rows)
 
 
 def faults(data):

@@ -1,5 +1,6 @@
 """Shot lines of ours and Embree: what shots_report measured, as a page."""
-from tables import figure, figures_table, in_order, known, number, select, show, table, total
+from tables import (figure, figures_table, in_order, known, number, select, show, table, total,
+                    unpackaged)
 
 TITLE = "Shot lines: ours and Embree"
 FILES = ("shots",)
@@ -25,6 +26,7 @@ def figures_section(data):
                        total(data["shots"], "ours_wrong"), "", lambda v: v == 0))
     rows.append(figure("lines of ours with an odd number of hits, closed bodies", "0",
                        odd_of_ours(data), "", lambda v: v == 0))
+    rows.append(unpackaged("BRL-CAD rtshot"))
     return "## Figures\n" + figures_table(rows)
 
 

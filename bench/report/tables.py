@@ -70,5 +70,10 @@ def figure(what, target, value, unit, is_met):
     return [what, target, f"{show(value)} {unit}".strip(), "yes" if is_met(value) else "**no**"]
 
 
+def unpackaged(engines):
+    """The row of engines that the specification of a page names, and that have no Debian package."""
+    return [f"{engines}: no Debian package", "", "not measured here", ""]
+
+
 def figures_table(rows):
     return table(["figure", "target", "measured", "met"], rows)
