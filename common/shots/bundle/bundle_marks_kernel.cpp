@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "common/shots/bundle/bundle_marks_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Everything below is compiled for every target.
-#include "common/shots/bundle/bundle_lanes-inl.hpp"
+#include "common/shots/bundle/bundle_turns-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -19,34 +19,11 @@ namespace bundle_marks {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using bundle::bits_of;
-
-using Doubles = hn::CappedTag<double, 8>;
-using V = hn::Vec<Doubles>;
-
-HWY_INLINE V set(double value) {
-    return hn::Set(Doubles(), value);
-}
-
-/// Returns twice the area of the triangle of the origin and two points, positive if it turns left.
-HWY_INLINE V turn(V from_x, V from_y, V to_x, V to_y) {
-    return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
-}
-
-/// A triangle's corners across the lines and the bound of its turns, the same in all lanes.
-struct Target {
-    HWY_INLINE Target(const BlockAcross& placed, std::size_t triangle)
-        : error(set(placed.turn_error[triangle])) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            x[i] = set(placed.corners[1][i][triangle]);
-            y[i] = set(placed.corners[2][i][triangle]);
-        }
-    }
-
-    V x[3];
-    V y[3];
-    V error;
-};
+using bundle::Doubles;
+using bundle::lanes;
+using bundle::Marks;
+using bundle::Target;
+using bundle::V;
 
 /// Lines that follow each other in one row.
 struct Piece {
@@ -71,7 +48,6 @@ HWY_INLINE V load(const double* from, const Piece& low, const Piece&) {
 }
 #endif
 
-constexpr auto lanes = static_cast<std::uint32_t>(hn::MaxLanes(Doubles()));
 constexpr std::uint32_t piece_most = lanes / pieces;
 
 /// The lines of a vector.
@@ -86,35 +62,6 @@ struct Pieces {
         return lane < piece_most ? low.first + lane : high.first + (lane - piece_most);
     }
 };
-
-/// The lanes of a vector whose lines doubles do not prove to miss a triangle, as bit masks.
-struct Marks {
-    std::uint32_t left;  ///< All corners turn left around the line.
-    std::uint32_t right; ///< All turn right.
-    std::uint32_t open;
-};
-
-HWY_INLINE Marks marks_of(const Target& target, const LineRows& lines, const Pieces& of) {
-    const Doubles d;
-    const V line_x = load(lines.across[0], of.low, of.high);
-    const V line_y = load(lines.across[1], of.low, of.high);
-    V x[3];
-    V y[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        x[i] = hn::Sub(target.x[i], line_x);
-        y[i] = hn::Sub(target.y[i], line_y);
-    }
-    const V turns[3] = {
-        turn(x[0], y[0], x[1], y[1]), turn(x[1], y[1], x[2], y[2]), turn(x[2], y[2], x[0], y[0])};
-    const V least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
-    const V most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
-    const V minus_error = hn::Neg(target.error);
-    const auto misses = hn::And(hn::Lt(least, minus_error), hn::Gt(most, target.error));
-    const std::uint32_t kept = ~bits_of(d, misses) & of.valid();
-    const std::uint32_t left = kept & bits_of(d, hn::Gt(least, target.error));
-    const std::uint32_t right = kept & bits_of(d, hn::Lt(most, minus_error));
-    return {left, right, kept & ~(left | right)};
-}
 
 /// Adds the lines of a vector to those that pass through the present triangle, without a branch:
 /// whether a small triangle is hit is hard to predict. Writes a whole vector, and counts the
@@ -213,7 +160,10 @@ bool mark_pairs_on(const BlockAcross* placed,
                 of.high = bins.next(*lines, in_triangle);
             }
             marked->tested += of.low.count + of.high.count;
-            const Marks marks = marks_of(target, *lines, of);
+            const Marks marks = bundle::marks_of(target,
+                                                 load(lines->across[0], of.low, of.high),
+                                                 load(lines->across[1], of.low, of.high),
+                                                 of.valid());
             const std::uint32_t inside = marks.left | marks.right;
             run.turns_left |= marks.left != 0;
             add_passing(inside & passing_lanes, of, *marked);

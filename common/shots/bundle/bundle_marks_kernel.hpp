@@ -41,6 +41,7 @@ struct LineWalk {
     std::uint32_t triangle = 0; ///< The present triangle.
     std::uint32_t row = 0;      ///< Rows of its bins that are done.
     std::uint32_t line = 0;     ///< Lines of the present row that are done.
+    bool are_few_done = false;  ///< Of a grid: triangles that have few lines are done.
 };
 
 /// Marks pairs until all are marked or there is no more room. Returns whether all are marked; if

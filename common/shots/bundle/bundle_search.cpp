@@ -9,6 +9,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/prefetch.hpp"
+#include "common/shots/bundle/bundle_grid_kernel.hpp"
 #include "common/shots/line_hit.hpp"
 
 #include <algorithm>
@@ -122,7 +123,8 @@ void BundleSearch::test_leaf(const Leaf& leaf) {
     const LineRows rows = lines_->rows();
     LineWalk walk;
     for (bool is_done = false; !is_done;) {
-        is_done = mark_pairs(placed_, bundle, rows, walk, marked_);
+        is_done = lines_->is_grid() ? mark_grid_pairs(placed_, bundle, rows, walk, marked_)
+                                    : mark_pairs(placed_, bundle, rows, walk, marked_);
         add_marked(block_size * block);
     }
 }

@@ -139,7 +139,10 @@ void ParallelLines::sort_into_bins() {
 
 void ParallelLines::note_steps() {
     const std::array<double, 2> middle = this->middle();
-    is_grid_ = slots_.size() == std::size_t{steps_[0].count()} * steps_[1].count();
+    // One line a bin: the line of each bin has the bin's number.
+    is_grid_ = std::ranges::adjacent_find(begins_, [](std::uint32_t begin, std::uint32_t end) {
+                   return end - begin != 1;
+               }) == begins_.end();
     for (std::size_t which = 0; which < 2; ++which) {
         LineSteps& steps = steps_[which];
         steps.least_from_middle.resize(steps.least.size());

@@ -83,8 +83,8 @@ class ParallelLines {
         const auto last = static_cast<double>(steps.count() - 1);
         return static_cast<std::uint32_t>(std::min(std::max(place, 0.0), last));
     }
-    /// Returns whether the lines are those of a grid, all columns times all rows. Then a box whose
-    /// two intervals hold coordinates of lines holds a line.
+    /// Returns whether the lines are those of a grid, all columns times all rows. Then each bin has
+    /// one line, and a box whose two intervals hold coordinates of lines holds a line.
     [[nodiscard]] bool is_grid() const { return is_grid_; }
     /// Returns whether a box across the axis may hold a line. Looks only into few
     /// bins, and returns true for a box of many.

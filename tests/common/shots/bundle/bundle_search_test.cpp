@@ -115,8 +115,8 @@ Judged judged_kind(const std::string& kind, std::uint64_t rounds, double bound_s
     return judged;
 }
 
-/// Lines, and triangles one edge of which passes a line by some roundings.
-BundleCase brink_case(std::mt19937_64& random) {
+/// Lines, of a grid or not, and triangles one edge of which passes a line by some roundings.
+BundleCase brink_case(std::mt19937_64& random, bool is_grid) {
     const double far = std::ldexp(1.0, static_cast<int>(random() % 4));
     const PosePair poses{random() % 2 == 0 ? Pose() : make_pose(random, far),
                          make_pose(random, far)};
@@ -127,22 +127,27 @@ BundleCase brink_case(std::mt19937_64& random) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
     std::vector<Segment> lines;
+    if (is_grid) {
+        lines = grid_lines(random, 0, {10, 10}, far / 8, 0, {-9 * far, 9 * far});
+    }
     for (std::uint32_t i = 0; i < 300; i += 3) {
-        const Vec3 at = random_point(random, far);
+        const Vec3 at = is_grid ? lines[random() % lines.size()].p : random_point(random, far);
         const Vec3 way = random_point(random, 1);
         vertices.push_back(in_a(at - way));
         vertices.push_back(in_a(at + uniform(random, 0.5, 2) * way));
         vertices.push_back(in_a(at + random_point(random, 1)));
         triangles.push_back({i, i + 1, i + 2});
-        lines.push_back({Vec3(-9 * far, at.y(), at.z()), Vec3(9 * far, at.y(), at.z())});
+        if (!is_grid) {
+            lines.push_back({Vec3(-9 * far, at.y(), at.z()), Vec3(9 * far, at.y(), at.z())});
+        }
     }
     return {make_mesh(std::move(vertices), std::move(triangles)), std::move(lines), poses};
 }
 
-Judged judged_brinks(std::uint64_t rounds, double bound_scale) {
+Judged judged_brinks(std::uint64_t rounds, bool is_grid, double bound_scale) {
     Judged judged;
     for (SeededRandom random : seeds(rounds)) {
-        const BundleCase c = brink_case(random);
+        const BundleCase c = brink_case(random, is_grid);
         const auto told =
             told_of(make_tree(c.body), make_tree(mesh_of(c.lines)), c.poses, bound_scale);
         SegmentHit exact(c.poses, HitStage::Integer);
@@ -228,10 +233,12 @@ TEST(BundleSearch, RandomLinesAreToldAsIntegersDo) {
 }
 
 TEST(BundleSearch, BoundsThatAreScaledDownAreCaught) {
-    const Judged judged = judged_brinks(raised(20), 1);
-    EXPECT_EQ(judged.wrong, 0);
-    EXPECT_GT(judged.open, 1000);
-    EXPECT_GT(judged_brinks(20, 0x1p-14).wrong, 0);
+    for (const bool is_grid : {false, true}) {
+        const Judged judged = judged_brinks(raised(20), is_grid, 1);
+        EXPECT_EQ(judged.wrong, 0);
+        EXPECT_GT(judged.open, 1000);
+        EXPECT_GT(judged_brinks(20, is_grid, 0x1p-14).wrong, 0);
+    }
 }
 
 TEST(BundleSearch, TellsTheSameOnEveryTarget) {
