@@ -49,14 +49,15 @@ void serialize(Archive& archive, Summary& s) {
 template <class Archive>
 void serialize(Archive& archive, Hello& m) {
     archive(m.version);
+    enumeration(archive, m.role, Role::Worker, Role::Joiner);
+    archive(m.name);
     if constexpr (Archive::is_input) {
         if (m.version != protocol_version) {
             archive.skip_rest();
             return;
         }
     }
-    enumeration(archive, m.role, Role::Worker, Role::Joiner);
-    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
+    archive(m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
     archive(m.instance, m.session, m.epoch, m.user);
 }
 

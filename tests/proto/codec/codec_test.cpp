@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "6aa723c26b5df839"},
-    {"welcome", 116, "73a9d27cc7b3e670"},
+    {"hello", 95, "467f2ff75f1b9901"},
+    {"welcome", 116, "789a305a9991626d"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -482,19 +482,23 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
     }
 }
 
-TEST(Codec, AHelloOfAnotherVersionIsReadForItsNumberOnly) {
+TEST(Codec, AHelloOfAnotherVersionIsReadForVersionRoleAndName) {
     for (const int step : {-1, 0, 1}) {
         const int other = protocol_version + step;
         Hello hello;
         hello.version = static_cast<std::uint16_t>(other);
+        hello.role = Role::Worker;
         hello.name = "node";
+        hello.build = "1.2";
         Bytes bytes = encode_message(hello);
         bytes.insert(bytes.end(), 20, std::byte{1});
         const auto decoded = decode_message(message_type(hello), bytes);
         ASSERT_EQ(decoded.has_value(), other != protocol_version);
         if (decoded) {
             EXPECT_EQ(std::get<Hello>(decoded.value()).version, other);
-            EXPECT_EQ(std::get<Hello>(decoded.value()).name, "");
+            EXPECT_EQ(std::get<Hello>(decoded.value()).role, Role::Worker);
+            EXPECT_EQ(std::get<Hello>(decoded.value()).name, "node");
+            EXPECT_EQ(std::get<Hello>(decoded.value()).build, "");
         }
     }
 }
