@@ -46,11 +46,8 @@ class Running {
     Running& operator=(const Running&) = delete;
 
     std::uint64_t add(std::size_t record_bytes) {
-        JournalResult result;
-        result.record.resize(record_bytes);
-        result.row = {next_++, record_bytes, {}, sha256(result.record)};
         AddResults entry{job, store_, {}, {}, {}};
-        entry.results.push_back(std::move(result));
+        entry.results.add(next_++, {}, Bytes(record_bytes));
         return journal_->add(std::move(entry));
     }
     void wait_for(std::uint64_t position) {

@@ -12,8 +12,13 @@ PositionSet PositionSet::of(std::vector<std::uint64_t> positions) {
         std::ranges::sort(positions);
     }
     PositionSet set;
-    for (const std::uint64_t position : positions) {
-        set.add({position, 1});
+    for (std::size_t i = 0; i < positions.size();) {
+        const std::uint64_t first = positions[i];
+        std::uint64_t count = 0;
+        for (; i < positions.size() && positions[i] == first + count; ++i) {
+            ++count;
+        }
+        set.add({first, count});
     }
     return set;
 }

@@ -80,18 +80,19 @@ const char* problem_of_hits(const JobMaterial& material, const ScenarioResult& r
     return result.is_cut() || are_ranks_whole(result) ? nullptr : "has ranks that skip a number";
 }
 
-std::uint64_t crossed_scenarios(const Query& query, std::span<const TakenResult> results) {
+std::uint64_t crossed_scenarios(const Query& query, std::span<const ScenarioResult> results) {
     return static_cast<std::uint64_t>(std::ranges::count_if(
-        results, [&](const TakenResult& one) { return least_crossings(query, one.result) > 0; }));
+        results, [&](const ScenarioResult& one) { return least_crossings(query, one) > 0; }));
 }
 
-Status
-check_crossings(const Query& query, std::span<const TakenResult> results, const ContactMap& map) {
+Status check_crossings(const Query& query,
+                       std::span<const ScenarioResult> results,
+                       const ContactMap& map) {
     std::uint64_t least = 0;
     std::uint64_t most = 0;
-    for (const TakenResult& one : results) {
-        least += least_crossings(query, one.result);
-        most += one.result.pair_count;
+    for (const ScenarioResult& one : results) {
+        least += least_crossings(query, one);
+        most += one.pair_count;
     }
     for (const auto& body : map.bodies) {
         std::uint64_t sum = 0;

@@ -20,11 +20,11 @@ namespace cd {
 /// Returns how many of the results to Question::Shots surely have a crossing: lists of hits tell
 /// it, and first hits all cross.
 [[nodiscard]] std::uint64_t crossed_scenarios(const Query& query,
-                                              std::span<const TakenResult> results);
+                                              std::span<const ScenarioResult> results);
 
 /// Checks that a map of crossings can be that of the results: it counts each of them for a triangle
 /// and for a line. Errors: BadFrame.
 [[nodiscard]] Status
-check_crossings(const Query& query, std::span<const TakenResult> results, const ContactMap& map);
+check_crossings(const Query& query, std::span<const ScenarioResult> results, const ContactMap& map);
 
 } // namespace cd

@@ -26,8 +26,10 @@ Result<ReferenceResult> reference_result(const JobMaterial& material,
         run.result = failed_result(
             read.value().scenario, material.query, {ErrorCode::Interrupted, "cancelled"});
     }
-    return ReferenceResult{take_result(std::move(run.result), read.value().position, {}),
-                           run.is_stopped};
+    ReferenceResult found;
+    found.taken.add(run.result, read.value().position, {});
+    found.is_stopped = run.is_stopped;
+    return found;
 }
 
 Result<ContactMap> reference_map(const JobMaterial& material,

@@ -20,7 +20,7 @@
 namespace cd {
 
 struct ReferenceResult {
-    TakenResult taken;       ///< A failure that says "cancelled" if the run was stopped.
+    TakenResults taken; ///< One result; a failure that says "cancelled" if the run was stopped.
     bool is_stopped = false; ///< The run was stopped, so the right result is unknown.
 };
 

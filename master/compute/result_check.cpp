@@ -1,5 +1,6 @@
 #include "master/compute/result_check.hpp"
 
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/job/result/packed_map.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -21,7 +23,7 @@ namespace {
 /// A scenario of a task, and the cost of its analysis on the master.
 struct TaskScenario {
     PlacedScenario placed;
-    JobStatistics cost;
+    const JobStatistics* cost = nullptr; ///< Null if it was not analysed.
 };
 
 /// Finds a task's scenarios by index.
@@ -36,14 +38,14 @@ class TaskIndex {
     [[nodiscard]] std::optional<TaskScenario> find(std::uint64_t index) const {
         if (task_.range) {
             const auto placed = task_.range->find(index);
-            return placed ? std::optional(TaskScenario{*placed, {}}) : std::nullopt;
+            return placed ? std::optional(TaskScenario{*placed, nullptr}) : std::nullopt;
         }
         const auto found = analyses_.find(index);
         if (found == analyses_.end()) {
             return std::nullopt;
         }
         const Analysis& analysis = *found->second;
-        return TaskScenario{{analysis.scenario, analysis.position}, analysis.cost};
+        return TaskScenario{{analysis.scenario, analysis.position}, &analysis.cost};
     }
 
   private:
@@ -147,14 +149,18 @@ const char* problem_of_result(const JobMaterial& material,
     return problem != nullptr ? problem : problem_of_distance(material, result);
 }
 
-Result<TakenResult> take_record(const JobMaterial& material,
-                                const TaskIndex& scenarios,
-                                std::span<const std::byte> bytes) {
-    Result<ScenarioResult> decoded = decode_result(bytes);
-    if (!decoded) {
-        return decoded.error();
-    }
-    ScenarioResult& result = decoded.value();
+/// What settling may change of a result.
+auto settled_part(const ScenarioResult& result) {
+    return std::tuple(result.kind, result.surfaces_only, result.insides_skipped);
+}
+
+/// Checks and settles a record, and adds it to `taken`. Leaves the decoded result in `result`.
+Status take_record(const JobMaterial& material,
+                   const TaskIndex& scenarios,
+                   std::span<const std::byte> bytes,
+                   ScenarioResult& result,
+                   TakenResults& taken) {
+    CD_TRY(decode_result(bytes, result));
     const auto found = scenarios.find(result.index);
     if (!found) {
         return Error{ErrorCode::BadFrame,
@@ -166,17 +172,26 @@ Result<TakenResult> take_record(const JobMaterial& material,
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) + " " + problem};
     }
-    JobStatistics cost = found->cost;
-    cost.inside += material.settler->settle(scenario, result);
-    const std::uint64_t position =
-        mutated(Mutation::IndexTakenForPosition) ? result.index : found->placed.position;
-    return take_result(std::move(result), position, cost);
+    const auto before = settled_part(result);
+    const InsideStatistics inside = material.settler->settle(scenario, result);
+    if (settled_part(result) == before) {
+        taken.results.add(result.index, facts_of(result), bytes);
+    } else {
+        taken.results.add(result);
+    }
+    taken.positions_of_rows.push_back(
+        mutated(Mutation::IndexTakenForPosition) ? result.index : found->placed.position);
+    taken.cost.inside += inside;
+    if (found->cost != nullptr) {
+        taken.cost += *found->cost;
+    }
+    return Done{};
 }
 
 /// Checks that the sums by part can be those of the results: parts and scenarios must exist, and
 /// each of the `scenarios` with pairs must be counted for parts of both bodies.
 Status check_parts(const BodyPartRuns& bodies,
-                   std::span<const TakenResult> results,
+                   std::span<const ScenarioResult> results,
                    std::uint64_t scenarios,
                    const PartContacts& contacts) {
     const Error wrong{ErrorCode::BadFrame, "sums by part that are not those of the results"};
@@ -193,8 +208,8 @@ Status check_parts(const BodyPartRuns& bodies,
         }
     }
     std::unordered_set<std::uint64_t> indices;
-    for (const TakenResult& one : results) {
-        indices.insert(one.result.index);
+    for (const ScenarioResult& one : results) {
+        indices.insert(one.index);
     }
     const auto is_right = [&](const PartPairContacts& pair) {
         return pair.a < bodies[0].count() && pair.b < bodies[1].count() &&
@@ -221,14 +236,14 @@ Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
 /// Unpacks and checks the map of a message: it must be about its scenarios with pairs alone, and
 /// have what is asked for.
 Result<ContactMap> checked_map(const JobMaterial& material,
-                               std::span<const TakenResult> results,
+                               std::span<const ScenarioResult> results,
                                std::span<const std::byte> packed) {
     const bool are_shots = material.query.question == Question::Shots;
     std::uint64_t pairs = 0;
     std::uint64_t scenarios = 0;
-    for (const TakenResult& one : results) {
-        pairs += one.result.pair_count + one.result.near_count;
-        scenarios += one.result.pair_count + one.result.near_count > 0 ? 1 : 0;
+    for (const ScenarioResult& one : results) {
+        pairs += one.pair_count + one.near_count;
+        scenarios += one.pair_count + one.near_count > 0 ? 1 : 0;
     }
     ContactMapBounds bounds{0, 0, scenarios};
     if (material.query.maps) {
@@ -260,7 +275,7 @@ Result<ContactMap> checked_map(const JobMaterial& material,
 /// Returns the map of a message. Sums without triangles that cannot be those of the results are
 /// made anew of the pairs that these list, so that a wrong result is a dispute, not a bad message.
 Result<ContactMap> take_map(const JobMaterial& material,
-                            std::span<const TakenResult> results,
+                            std::span<const ScenarioResult> results,
                             std::span<const std::byte> packed) {
     if (!material.query.maps && material.parts == nullptr) {
         return packed.empty() ? Result<ContactMap>(ContactMap{})
@@ -271,53 +286,51 @@ Result<ContactMap> take_map(const JobMaterial& material,
         return map;
     }
     ContactMapSum sum(material.parts);
-    for (const TakenResult& one : results) {
-        sum.add(one.result, {});
+    for (const ScenarioResult& one : results) {
+        sum.add(one, {});
     }
     return sum.take();
 }
 
 } // namespace
 
-TakenResult take_result(ScenarioResult result, std::uint64_t position, const JobStatistics& cost) {
-    Bytes record = encode_result(result);
-    const Sha256 digest = digest_of_record(record);
-    return {std::move(result), position, std::move(record), digest, cost};
+void TakenResults::add(const ScenarioResult& result,
+                       std::uint64_t position,
+                       const JobStatistics& spent) {
+    results.add(result);
+    positions_of_rows.push_back(position);
+    cost += spent;
 }
 
 Result<TakenResults> take_results(const TaskContent& task, const Results& results) {
-    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
-    if (!records) {
-        return records.error();
-    }
+    const JobMaterial& material = *task.material;
+    const Bytes records = CD_TRY(unpack_records(results.records, limits::results_bytes_max));
     const TaskIndex scenarios(task);
-    std::vector<TakenResult> taken;
+    TakenResults taken;
     // The worker's count may be forged, so the task's size limits the allocation.
-    taken.reserve(std::min<std::uint64_t>(results.count, task.count()));
-    std::vector<std::uint64_t> positions;
-    positions.reserve(taken.capacity());
-    ByteReader reader(records.value());
+    const auto count = std::min<std::uint64_t>(results.count, task.count());
+    taken.results.reserve(count);
+    taken.positions_of_rows.reserve(count);
+    const bool sums_pairs = material.query.maps || material.parts != nullptr;
+    std::vector<ScenarioResult> decoded; // For the map, if there is one.
+    ScenarioResult result;
+    ByteReader reader(records);
     for (std::uint32_t i = 0; i < results.count; ++i) {
         const auto record = reader.get_bytes(reader.get<std::uint32_t>());
         if (reader.failed()) {
             break;
         }
-        Result<TakenResult> result = take_record(*task.material, scenarios, record);
-        if (!result) {
-            return result.error();
+        CD_TRY(take_record(material, scenarios, record, result, taken));
+        if (sums_pairs) {
+            decoded.push_back(std::move(result));
         }
-        positions.push_back(result.value().position);
-        taken.push_back(std::move(result.value()));
     }
     if (!reader.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
     }
-    Result<ContactMap> map = take_map(*task.material, taken, results.map);
-    if (!map) {
-        return map.error();
-    }
-    return TakenResults{
-        std::move(taken), std::move(map.value()), PositionSet::of(std::move(positions))};
+    taken.map = CD_TRY(take_map(material, decoded, results.map));
+    taken.positions = PositionSet::of(taken.positions_of_rows);
+    return taken;
 }
 
 Result<TakenResults> take_late_results(JobId job,

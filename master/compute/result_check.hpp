@@ -2,13 +2,13 @@
 // bodies (settle.hpp).
 #pragma once
 
-#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/statistics.hpp"
 #include "master/base/position_set.hpp"
+#include "master/base/result_batch.hpp"
 #include "master/compute/task_content.hpp"
 #include "proto/messages/work_messages.hpp"
 
@@ -19,23 +19,16 @@
 
 namespace cd {
 
-/// A result with its canonical record and the record's hash.
-struct TakenResult {
-    ScenarioResult result;
-    std::uint64_t position = 0; ///< Of the scenario in the job's hand-out order.
-    Bytes record;
-    Sha256 digest;
-    JobStatistics cost; ///< Cost to the master: analysis and settling.
-};
-
-[[nodiscard]] TakenResult
-take_result(ScenarioResult result, std::uint64_t position, const JobStatistics& cost);
-
-/// All results of a message.
+/// Checked and settled results: those of a message, or of the master.
 struct TakenResults {
-    std::vector<TakenResult> results;
+    ResultBatch results;
+    /// Of each result, the position of its scenario in the job's hand-out order.
+    std::vector<std::uint64_t> positions_of_rows;
+    JobStatistics cost;         ///< Cost to the master: analysis and settling.
     ContactMap map;             ///< Joint map of all results; empty unless the query asks for maps.
     PositionSet positions = {}; ///< Positions of all results, if these came in one message.
+
+    void add(const ScenarioResult& result, std::uint64_t position, const JobStatistics& spent);
 };
 
 /// Decodes and checks the results of a message, which may be forged, and settles their classes.

@@ -31,26 +31,20 @@ Dispute open_dispute(MasterJob& job, Dispute dispute, AddResults& add) {
 void JobMerger::merge(MasterJob& job,
                       TakenResults taken,
                       const std::shared_ptr<const Author>& author) {
-    for (const TakenResult& one : taken.results) {
-        if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
+    for (const ResultRow& row : taken.results.rows()) {
+        if (const Status fits = check_record_size(row.scenario, row.length); !fits) {
             return life_.end(job, JobState::Failed, fits.error().detail);
         }
     }
     AddResults add{job.id, job.results, {}, {}, {}};
-    std::vector<Dispute> disputes;
     add.author = author == nullptr ? 0 : author->process;
-    add.results.reserve(taken.results.size());
-    for (TakenResult& one : taken.results) {
-        job.tally.statistics += one.cost;
-        if (auto dispute = merge_one(job, one, author, add)) {
-            disputes.push_back(std::move(*dispute));
-        }
-    }
+    job.tally.statistics += taken.cost;
+    const std::vector<Dispute> disputes = merge_into(job, taken, author, add);
     meter_.count(add.results.size());
-    if (!add.results.empty() || !add.remarks.empty()) {
+    if (!add.results.is_empty() || !add.remarks.empty()) {
         ++job.changes;
         add.progress = job.progress(life_.now());
-        if (!add.results.empty() && !taken.map.empty() && job.map.withdrawn().empty()) {
+        if (!add.results.is_empty() && !taken.map.empty() && job.map.withdrawn().empty()) {
             job.map.add(taken.map);
             add.map = pack_map(taken.map);
         }
@@ -61,44 +55,47 @@ void JobMerger::merge(MasterJob& job,
     }
 }
 
-std::optional<Dispute> JobMerger::merge_one(MasterJob& job,
-                                            TakenResult& taken,
-                                            const std::shared_ptr<const Author>& author,
-                                            AddResults& add) {
-    const std::uint64_t index = taken.result.index;
-    const ScenarioFacts facts = facts_of(taken.result);
-    switch (job.merged.add(index, facts, taken.digest, author)) {
-    case MergedResults::Outcome::Repeated:
-        if (!mutated(Mutation::SecondAnswerMerged)) {
-            return std::nullopt;
+std::vector<Dispute> JobMerger::merge_into(MasterJob& job,
+                                           TakenResults& taken,
+                                           const std::shared_ptr<const Author>& author,
+                                           AddResults& add) {
+    std::vector<Dispute> disputes;
+    std::vector<std::size_t> dropped;
+    for (std::size_t i = 0; i < taken.results.size(); ++i) {
+        const ResultRow& row = taken.results.rows()[i];
+        const Sha256& digest = taken.results.digests()[i];
+        const auto outcome = job.merged.add(row.scenario, row.facts, digest, author);
+        if (outcome == MergedResults::Outcome::Added) {
+            if (JobWork* work = job.work()) {
+                work->open.close(taken.positions_of_rows[i]);
+            }
+            continue;
         }
-        break;
-    case MergedResults::Outcome::Differs:
+        const bool is_repeated = outcome == MergedResults::Outcome::Repeated;
+        if (is_repeated && mutated(Mutation::SecondAnswerMerged)) {
+            continue;
+        }
+        dropped.push_back(i);
+        if (outcome == MergedResults::Outcome::Foreign) {
+            log_error(
+                "result for an unknown scenario: job={} scenario={}", job.id.value, row.scenario);
+        }
         // A failure by the master is final: the scenario was cancelled, or may crash the process
         // that runs it, so the master must not run it to decide a dispute.
-        if (author != nullptr && !job.merged.is_failed_by_master(index)) {
-            return open_dispute(job, {job.id, index, author, taken.digest}, add);
-        }
-        return std::nullopt;
-    case MergedResults::Outcome::Foreign:
-        log_error("result for an unknown scenario: job={} scenario={}", job.id.value, index);
-        return std::nullopt;
-    case MergedResults::Outcome::Added:
-        if (JobWork* work = job.work()) {
-            work->open.close(taken.position);
+        if (outcome == MergedResults::Outcome::Differs && author != nullptr &&
+            !job.merged.is_failed_by_master(row.scenario)) {
+            disputes.push_back(open_dispute(job, {job.id, row.scenario, author, digest}, add));
         }
     }
-    const ResultRow row{index, taken.record.size(), facts, taken.digest};
-    add.results.push_back({row, std::move(taken.record)});
-    return std::nullopt;
+    add.results = dropped.empty() ? std::move(taken.results) : taken.results.without(dropped);
+    return disputes;
 }
 
 void JobMerger::fail(MasterJob& job, const PlacedScenario& placed, const std::string& why) {
     const Error error{ErrorCode::Interrupted, why};
-    std::vector<TakenResult> taken;
-    taken.push_back(
-        take_result(failed_result(placed.scenario, job.submit.query, error), placed.position, {}));
-    merge(job, {std::move(taken), {}}, nullptr);
+    TakenResults taken;
+    taken.add(failed_result(placed.scenario, job.submit.query, error), placed.position, {});
+    merge(job, std::move(taken), nullptr);
     life_.end_if_complete(job);
 }
 

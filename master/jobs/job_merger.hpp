@@ -8,9 +8,9 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -25,13 +25,13 @@ class JobMerger {
     /// of a scenario opens a dispute, which the journal announces once durable. Fails the job if a
     /// result exceeds the maximum record size.
     void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
-    /// Merges one result, and appends its record, moved from `taken`, to `add`, which the caller
-    /// writes. Returns the dispute if the scenario has a different result already.
-    [[nodiscard]] static std::optional<Dispute>
-    merge_one(MasterJob& job,
-              TakenResult& taken,
-              const std::shared_ptr<const Author>& author,
-              AddResults& add);
+    /// Merges the results, and moves the new ones to `add`, which has none and which the caller
+    /// writes. Returns a dispute for each scenario that has a different result already.
+    [[nodiscard]] static std::vector<Dispute>
+    merge_into(MasterJob& job,
+               TakenResults& taken,
+               const std::shared_ptr<const Author>& author,
+               AddResults& add);
     /// Merges a failure as the scenario's result. Ends the job if no other result is missing.
     void fail(MasterJob& job, const PlacedScenario& placed, const std::string& why);
 

@@ -199,7 +199,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     if (!database) {
         return database.error();
     }
-    auto recovered = recover(*database.value(), folder, options.check_records);
+    auto recovered = recover(*database.value(), folder);
     if (!recovered) {
         return with_remedy(recovered.error());
     }

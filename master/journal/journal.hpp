@@ -22,12 +22,6 @@
 
 namespace cd {
 
-/// A result: its row in the index, and its record.
-struct JournalResult {
-    ResultRow row;
-    Bytes record;
-};
-
 // Kinds of entries. The journal writes entries in the order in which they are added.
 struct AcceptJob {
     JobRecord job; ///< The job's poses must be on disk already.
@@ -39,7 +33,7 @@ struct ChangeJob {
 struct AddResults {
     JobId job;
     std::shared_ptr<ResultStore> store; ///< The job's store.
-    std::vector<JournalResult> results; ///< The commit makes the records readable.
+    ResultBatch results;                ///< The commit makes the records readable.
     JobProgress progress;
     Bytes map;                        ///< Packed contact map of these results; empty: none.
     InstanceId author = 0;            ///< Worker process that gave the results; 0: the master.
@@ -92,9 +86,6 @@ struct JournalOptions {
     /// the master nothing.
     bool synced = true;
     bool create = true; ///< True: create a missing journal. False: also change nothing on disk.
-    /// True: check the records of unfinished jobs against their checksums. Records of ended jobs
-    /// are checked when they are read.
-    bool check_records = true;
 };
 
 /// Callbacks on the journal's thread.
@@ -112,8 +103,9 @@ class Journal {
     /// Reads the whole journal of a state directory. Files: the index `journal.db` and, for each
     /// job N, the segment `jobs/N.results` (`result_store.hpp`). A segment is synced before the
     /// index commit that refers to its records. A thread of the journal writes. The destructor
-    /// writes all added entries, unless that fails. Errors: Io naming a file that is damaged or
-    /// unusable, with a remedy. An error leaves the disk unchanged.
+    /// writes all added entries, unless that fails. Records of unfinished jobs are checked, those
+    /// of ended jobs when they are read. Errors: Io naming a file that is damaged or unusable, with
+    /// a remedy. An error leaves the disk unchanged.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const JournalOptions& options);
     /// `jobs_folder` holds the files of the jobs.
     explicit Journal(std::filesystem::path jobs_folder) : jobs_folder_(std::move(jobs_folder)) {}

@@ -1,5 +1,7 @@
 #include "master/journal/journal_groups.hpp"
 
+#include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
@@ -9,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace cd {
@@ -16,10 +19,7 @@ namespace cd {
 std::uint64_t bytes_of(const JournalEntry& entry) {
     std::uint64_t bytes = 0;
     if (const auto* add = std::get_if<AddResults>(&entry)) {
-        for (const JournalResult& result : add->results) {
-            bytes += result.record.size();
-        }
-        bytes += add->map.size();
+        bytes += add->results.stored().size() + add->map.size();
     }
     return bytes;
 }
@@ -36,7 +36,7 @@ namespace {
 /// Changes of one job in a group of entries.
 struct JobChanges {
     std::shared_ptr<ResultStore> store;
-    std::vector<StoredRecord> records;
+    std::vector<const ResultBatch*> batches;
     ResultGroup rows;
     std::set<std::uint64_t> withdrawn; ///< Scenarios that these changes leave without a result.
     const JobProgress* progress = nullptr;
@@ -48,20 +48,23 @@ void add_results(JobChanges& changes, const AddResults& add) {
     changes.store = add.store;
     changes.progress = &add.progress;
     changes.withdrawn.insert(add.withdrawn.begin(), add.withdrawn.end());
-    for (const JournalResult& result : add.results) {
-        changes.withdrawn.erase(result.row.scenario);
-        changes.records.push_back({result.row.scenario, result.record});
-        changes.rows.rows.push_back(result.row);
+    const std::span<const ResultRow> rows = add.results.rows();
+    if (!changes.withdrawn.empty()) {
+        for (const ResultRow& row : rows) {
+            changes.withdrawn.erase(row.scenario);
+        }
     }
     if (!add.map.empty()) {
         changes.rows.maps.push_back(add.map);
     }
     std::vector<AuthorRun>& runs = changes.rows.authors;
-    if (!add.results.empty()) {
+    if (!rows.empty()) {
+        changes.batches.push_back(&add.results);
+        changes.rows.rows.insert(changes.rows.rows.end(), rows.begin(), rows.end());
         if (runs.empty() || runs.back().author != add.author) {
             runs.push_back({0, add.author});
         }
-        runs.back().rows += add.results.size();
+        runs.back().rows += rows.size();
     }
     std::vector<Remark>& remarks = changes.rows.remarks;
     remarks.insert(remarks.end(), add.remarks.begin(), add.remarks.end());
@@ -128,10 +131,10 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
             continue;
         }
         changes.rows.begin = changes.store->end();
-        if (changes.records.empty()) {
+        if (changes.batches.empty()) {
             continue;
         }
-        if (Status status = changes.store->write(changes.records); !status) {
+        if (Status status = changes.store->write(changes.batches); !status) {
             return status;
         }
         // Also true for a file that an earlier, failed attempt created.
@@ -161,7 +164,7 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         return status;
     }
     for (auto& [job, changes] : by_job) {
-        if (!changes.records.empty()) {
+        if (!changes.batches.empty()) {
             changes.store->commit();
         }
         for (const std::uint64_t scenario : changes.withdrawn) {
@@ -312,8 +315,42 @@ std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, Job
     return jobs_folder / (std::to_string(job.value) + ".results");
 }
 
-/// Opens the job's segment, and fills the members of `found.job` from the rows.
-Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
+/// Returns the newest valid row of each scenario, in the order in which they were written.
+std::vector<std::size_t> valid_rows(const FoundJob& found) {
+    std::vector<std::size_t> valid;
+    std::unordered_set<std::uint64_t> seen;
+    // Newest first: of several results of a scenario, only the last is right.
+    for (std::size_t i = found.rows.size(); i-- > 0;) {
+        const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
+        if (!found.withdrawn[i] && !is_missed && seen.insert(found.rows[i].scenario).second) {
+            valid.push_back(i);
+        }
+    }
+    std::ranges::reverse(valid);
+    return valid;
+}
+
+/// Merges the rows with the digests of their records, which are checked.
+Status merge_records(FoundJob& found, std::span<const std::size_t> rows) {
+    RecoveredJob& job = found.job;
+    auto next = rows.begin();
+    return job.results->verify([&](std::uint64_t scenario, std::span<const std::byte> record) {
+        const std::size_t row = *next++;
+        CD_CHECK(found.rows[row].scenario == scenario); // Rows are in the order of the file.
+        if (mutated(Mutation::DoneIsDoneAgain) && !job.end) {
+            return;
+        }
+        (void)job.merger.add(scenario, found.rows[row].facts, digest_of_record(record));
+        if (!job.end) {
+            job.done.push_back(found.rows[row]);
+            job.authors.push_back(found.authors[row]);
+        }
+    });
+}
+
+/// Opens the job's segment, and fills the members of `found.job` from the rows. Without `records`
+/// those of an ended job are not read, and its merger has no digests.
+Status restore(FoundJob& found, const std::filesystem::path& path, bool records) {
     RecoveredJob& job = found.job;
     const std::uint64_t scenarios = job.record.submit.scenarios;
     if (job.end) {
@@ -327,24 +364,9 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         }
         job.results = std::move(store.value());
     }
-    // Newest first: of several results of a scenario, only the last is right.
-    for (std::size_t i = found.rows.size(); i-- > 0;) {
-        const ResultRow& row = found.rows[i];
-        const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
-        if (found.withdrawn[i] || job.merger.has(row.scenario) || is_missed) {
-            continue;
-        }
-        if (Status status = job.results->restore(row.scenario, found.places[i]); !status) {
-            return status;
-        }
-        if (mutated(Mutation::DoneIsDoneAgain) && !job.end) {
-            continue;
-        }
-        (void)job.merger.add(row.scenario, row.facts, row.digest);
-        if (!job.end) {
-            job.done.push_back(row);
-            job.authors.push_back(found.authors[i]);
-        }
+    const std::vector<std::size_t> rows = valid_rows(found);
+    for (const std::size_t i : rows) {
+        CD_TRY(job.results->restore(found.rows[i].scenario, found.places[i]));
     }
     const auto is_scenario = [&](const Remark& open) { return open.scenario < scenarios; };
     if (!std::ranges::all_of(job.disputes, is_scenario)) {
@@ -356,10 +378,17 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     if (!std::ranges::all_of(job.losses, is_place)) {
         return damaged(path, job.record.id, "scenarios that it does not have were lost");
     }
+    if (job.end && !records) {
+        for (const std::size_t i : rows) {
+            (void)job.merger.add(found.rows[i].scenario, found.rows[i].facts, {});
+        }
+        return Done{};
+    }
+    CD_TRY(merge_records(found, rows));
     if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
         return damaged(path, job.record.id, "its results do not have its digest");
     }
-    return check_records ? job.results->verify() : Status(Done{});
+    return Done{};
 }
 
 } // namespace
@@ -381,8 +410,7 @@ Result<AlarmRecord> recover_alarms(const JournalDatabase& database) {
 }
 
 Result<Recovered> recover(const JournalDatabase& database,
-                          const std::filesystem::path& jobs_folder,
-                          bool check_records) {
+                          const std::filesystem::path& jobs_folder) {
     Recovered recovered;
     const Status read = for_each_job(database, [&](Result<FoundJob> found) {
         if (!found) {
@@ -390,8 +418,7 @@ Result<Recovered> recover(const JournalDatabase& database,
         }
         RecoveredJob& job = found.value().job;
         const auto segment = segment_path(jobs_folder, job.record.id);
-        if (Status restored = restore(found.value(), segment, check_records && !job.end);
-            !restored) {
+        if (Status restored = restore(found.value(), segment, false); !restored) {
             return restored;
         }
         if (job.end) {

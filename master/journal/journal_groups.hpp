@@ -31,10 +31,10 @@ struct JournalDisk {
 
 // The next two functions change nothing on disk. Errors: Io naming a damaged file.
 [[nodiscard]] Result<AlarmRecord> recover_alarms(const JournalDatabase& database);
-/// Returns all jobs with their committed results, and the alarms.
+/// Returns all jobs with their committed results, and the alarms. Checks the records of unfinished
+/// jobs.
 [[nodiscard]] Result<Recovered> recover(const JournalDatabase& database,
-                                        const std::filesystem::path& jobs_folder,
-                                        bool check_records);
+                                        const std::filesystem::path& jobs_folder);
 
 /// The jobs found in a state directory, and the damage.
 struct ExaminedJobs {

@@ -36,10 +36,16 @@ std::uint64_t JournalWriter::write(JournalEntry entry) {
     std::optional<Promise> promise;
     if (const auto* add = std::get_if<AddResults>(&entry)) {
         ledger_.withdraw(add->job, add->withdrawn);
-        for (const JournalResult& result : add->results) {
-            ledger_.write(add->job, result.row.scenario, position);
-            counts_.bytes += result.record.size();
+        const std::span<const ResultRow> rows = add->results.rows();
+        for (std::size_t i = 0; i < rows.size();) { // Runs of consecutive scenarios.
+            const std::uint64_t first = rows[i].scenario;
+            std::uint64_t count = 0;
+            for (; i < rows.size() && rows[i].scenario == first + count; ++i) {
+                ++count;
+            }
+            ledger_.write(add->job, first, position, count);
         }
+        counts_.bytes += add->results.record_bytes();
         counts_.results += add->results.size();
     } else if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
         ledger_.open_job(accept->job.id);

@@ -35,14 +35,27 @@ void Ledger::restore(JobId job, std::uint64_t scenario) {
     ++entry.durable;
 }
 
-void Ledger::write(JobId job, std::uint64_t scenario, std::uint64_t position) {
+template <class Take>
+void Ledger::for_each_bit(Job& job, std::uint64_t first, std::uint64_t end, const Take& take) {
+    while (first < end) {
+        Block& block = block_of(job, first);
+        const std::uint64_t bit = first % block_scenarios;
+        const std::uint64_t bits = std::min(end - first, block_scenarios - bit);
+        for (std::uint64_t i = bit; i < bit + bits; ++i) {
+            take(block, i);
+        }
+        first += bits;
+    }
+}
+
+void Ledger::write(JobId job, std::uint64_t first, std::uint64_t position, std::uint64_t count) {
     CD_CHECK(position > committed_);
     CD_CHECK(entries_.empty() || entries_.back().position <= position);
-    Block& block = block_of(jobs_.at(job), scenario);
-    const std::uint64_t bit = scenario % block_scenarios;
-    CD_CHECK(!block.written[bit]);
-    block.written.set(bit);
-    entries_.push_back({position, job, scenario});
+    for_each_bit(jobs_.at(job), first, first + count, [](Block& block, std::uint64_t bit) {
+        CD_CHECK(!block.written[bit]);
+        block.written.set(bit);
+    });
+    entries_.push_back({position, job, first, count});
 }
 
 void Ledger::withdraw(JobId id, std::span<const std::uint64_t> scenarios) {
@@ -58,9 +71,18 @@ void Ledger::withdraw(JobId id, std::span<const std::uint64_t> scenarios) {
         block.written.reset(bit);
         block.durable.reset(bit);
     }
-    std::erase_if(entries_, [&](const Entry& entry) {
-        return entry.job == id && state(id, entry.scenario) == State::Unknown;
-    });
+    for (const Entry& entry : std::exchange(entries_, {})) {
+        if (entry.job != id) {
+            entries_.push_back(entry);
+            continue;
+        }
+        // A withdrawn scenario may be written again, so that it must leave its old entry.
+        for (std::uint64_t scenario = entry.first; scenario < entry.end(); ++scenario) {
+            if (state(id, scenario) != State::Unknown) {
+                entries_.push_back({entry.position, id, scenario, 1});
+            }
+        }
+    }
 }
 
 void Ledger::promise(const Promise& promise, std::uint64_t position) {
@@ -101,8 +123,11 @@ void Ledger::committed(std::uint64_t position) {
         const Entry& entry = entries_.front();
         const auto job = jobs_.find(entry.job);
         if (job != jobs_.end()) {
-            block_of(job->second, entry.scenario).durable.set(entry.scenario % block_scenarios);
-            ++job->second.durable;
+            for_each_bit(job->second,
+                         entry.first,
+                         entry.end(),
+                         [](Block& block, std::uint64_t bit) { block.durable.set(bit); });
+            job->second.durable += entry.count;
         }
     }
     const auto end = promises_.upper_bound(position);
@@ -143,8 +168,10 @@ void Ledger::check_invariants() const {
         CD_CHECK(entry.position > committed_);
         CD_CHECK(entry.position >= before);
         before = entry.position;
-        if (jobs_.contains(entry.job)) {
-            CD_CHECK(state(entry.job, entry.scenario) == State::Written);
+        for (std::uint64_t scenario = entry.first;
+             jobs_.contains(entry.job) && scenario < entry.end();
+             ++scenario) {
+            CD_CHECK(state(entry.job, scenario) == State::Written);
             ++written[entry.job];
         }
     }

@@ -76,9 +76,10 @@ class Ledger {
     /// Marks a scenario of an open job as durable: a previous process of the master committed its
     /// result.
     void restore(JobId job, std::uint64_t scenario);
-    /// Records that the scenario's result is in the entry at `position`. Positions must not
-    /// decrease from call to call. The job must be open and the scenario unknown.
-    void write(JobId job, std::uint64_t scenario, std::uint64_t position);
+    /// Records that the results of `count` consecutive scenarios are in the entry at `position`.
+    /// Positions must not decrease from call to call. The job must be open and the scenarios
+    /// unknown.
+    void write(JobId job, std::uint64_t first, std::uint64_t position, std::uint64_t count = 1);
     /// Marks scenarios as unknown because their results were withdrawn. The job must be open, and
     /// each scenario written or durable.
     void withdraw(JobId job, std::span<const std::uint64_t> scenarios);
@@ -119,13 +120,20 @@ class Ledger {
         std::unordered_map<std::uint64_t, std::unique_ptr<Block>> blocks;
         std::uint64_t durable = 0;
     };
+    /// Consecutive scenarios.
     struct Entry {
         std::uint64_t position = 0;
         JobId job;
-        std::uint64_t scenario = 0;
+        std::uint64_t first = 0;
+        std::uint64_t count = 0;
+
+        [[nodiscard]] std::uint64_t end() const { return first + count; }
     };
 
     [[nodiscard]] static Block& block_of(Job& job, std::uint64_t scenario);
+    /// Calls `take(block, bit)` for the scenarios [first, end).
+    template <class Take>
+    static void for_each_bit(Job& job, std::uint64_t first, std::uint64_t end, const Take& take);
 
     std::unordered_map<JobId, Job> jobs_;
     std::deque<Entry> entries_; ///< Written and uncommitted scenarios, by position.

@@ -18,66 +18,107 @@ constexpr std::uint8_t flag_distance = 8;
 constexpr std::uint8_t flags_all =
     flag_surfaces_only | flag_cut | flag_insides_skipped | flag_distance;
 
-void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
-    put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
-    put_varint(out, row.length);
-    put_enumeration(out, row.facts.kind);
-    const int flags = (row.facts.surfaces_only ? flag_surfaces_only : 0) |
-                      (row.facts.is_cut ? flag_cut : 0) |
-                      (row.facts.insides_skipped ? flag_insides_skipped : 0) |
-                      (row.facts.has_distance ? flag_distance : 0);
-    out.put(static_cast<std::uint8_t>(flags));
-    put_varint(out, row.facts.pair_count);
-    put_varint(out, row.facts.near_count);
-    put_hash(out, row.digest);
+constexpr std::uint64_t classes = 8;
+
+/// The class and the flags of a row in one number.
+std::uint64_t state_of(const ScenarioFacts& facts) {
+    const int flags = (facts.surfaces_only ? flag_surfaces_only : 0) |
+                      (facts.is_cut ? flag_cut : 0) |
+                      (facts.insides_skipped ? flag_insides_skipped : 0) |
+                      (facts.has_distance ? flag_distance : 0);
+    return static_cast<std::uint64_t>(facts.kind) + classes * static_cast<std::uint64_t>(flags);
 }
 
-bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
-    const auto step = get_varint(in);
-    const auto length = get_varint(in);
-    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Near);
-    const auto flags = in.get<std::uint8_t>();
-    const auto pairs = get_varint(in);
-    const auto near = get_varint(in);
-    row.digest = get_hash(in);
-    if (!step || !length || !pairs || !near || !is_class || flags > flags_all) {
-        return false;
+bool set_state(ScenarioFacts& facts, std::uint64_t state) {
+    static_assert(static_cast<std::uint64_t>(ScenarioClass::Near) + 1 == classes);
+    const std::uint64_t flags = state / classes;
+    facts.kind = static_cast<ScenarioClass>(state % classes);
+    facts.surfaces_only = (flags & flag_surfaces_only) != 0;
+    facts.is_cut = (flags & flag_cut) != 0;
+    facts.insides_skipped = (flags & flag_insides_skipped) != 0;
+    facts.has_distance = (flags & flag_distance) != 0;
+    return flags <= flags_all;
+}
+
+/// Writes a number for each row, as runs of equal numbers: the number, and the rows of the run - 1.
+template <class NumberOf>
+void put_runs(ByteWriter& out, std::span<const ResultRow> rows, const NumberOf& number_of) {
+    for (std::size_t i = 0; i < rows.size();) {
+        const std::uint64_t number = number_of(i);
+        const std::size_t begin = i;
+        while (i < rows.size() && number_of(i) == number) {
+            ++i;
+        }
+        put_varint(out, number);
+        put_varint(out, i - begin - 1);
     }
-    row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
-    row.length = *length;
-    row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
-    row.facts.insides_skipped = (flags & flag_insides_skipped) != 0;
-    row.facts.is_cut = (flags & flag_cut) != 0;
-    row.facts.has_distance = (flags & flag_distance) != 0;
-    row.facts.pair_count = *pairs;
-    row.facts.near_count = *near;
-    return !in.failed();
 }
 
+/// Reads what `put_runs` wrote. `take` gets each row and its number, and tells whether it is valid.
+template <class Take>
+bool get_runs(ByteReader& in, std::span<ResultRow> rows, const Take& take) {
+    for (std::size_t i = 0; i < rows.size();) {
+        const auto number = get_varint(in);
+        const auto more = get_varint(in);
+        if (!number || !more || *more >= rows.size() - i) {
+            return false;
+        }
+        for (const std::size_t end = i + *more + 1; i < end; ++i) {
+            if (!take(rows[i], *number)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Writes the rows by columns. Numbers of pairs differ from row to row, so they are no runs.
 void put_rows(ByteWriter& out, std::span<const ResultRow> rows) {
     put_varint(out, rows.size());
-    std::uint64_t before = 0;
     for (const ResultRow& row : rows) {
-        put_row(out, row, before);
-        before = row.scenario;
+        put_varint(out, row.facts.pair_count);
     }
+    put_runs(out, rows, [&](std::size_t i) { // The step from the previous scenario, minus 1.
+        const std::uint64_t before = i == 0 ? ~std::uint64_t{0} : rows[i - 1].scenario;
+        return zigzag(static_cast<std::int64_t>(rows[i].scenario - before - 1));
+    });
+    put_runs(out, rows, [&](std::size_t i) { return rows[i].length; });
+    put_runs(out, rows, [&](std::size_t i) { return state_of(rows[i].facts); });
+    put_runs(out, rows, [&](std::size_t i) { return rows[i].facts.near_count; });
 }
 
 bool get_rows(ByteReader& in, std::vector<ResultRow>& rows) {
     const auto count = get_varint(in);
-    if (!count || !may_hold(in, *count, sizeof(Sha256))) {
+    if (!count || !may_hold(in, *count, 1)) {
         return false;
     }
-    std::uint64_t before = 0;
-    for (std::uint64_t i = 0; i < *count; ++i) {
-        ResultRow row;
-        if (!get_row(in, row, before)) {
+    rows.resize(*count);
+    for (ResultRow& row : rows) {
+        const auto pairs = get_varint(in);
+        if (!pairs) {
             return false;
         }
-        before = row.scenario;
-        rows.push_back(row);
+        row.facts.pair_count = *pairs;
     }
-    return true;
+    std::uint64_t before = ~std::uint64_t{0};
+    const auto take_scenario = [&](ResultRow& row, std::uint64_t step) {
+        before += static_cast<std::uint64_t>(unzigzag(step)) + 1;
+        row.scenario = before;
+        return true;
+    };
+    const auto take_length = [](ResultRow& row, std::uint64_t length) {
+        row.length = length;
+        return true;
+    };
+    const auto take_state = [](ResultRow& row, std::uint64_t state) {
+        return set_state(row.facts, state);
+    };
+    const auto take_near = [](ResultRow& row, std::uint64_t near) {
+        row.facts.near_count = near;
+        return true;
+    };
+    return get_runs(in, rows, take_scenario) && get_runs(in, rows, take_length) &&
+           get_runs(in, rows, take_state) && get_runs(in, rows, take_near);
 }
 
 void put_maps(ByteWriter& out, std::span<const Bytes> maps) {

@@ -5,24 +5,14 @@
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
-#include "common/job/result/merge.hpp"
 #include "master/base/instance_id.hpp"
+#include "master/base/result_batch.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace cd {
-
-/// One result without its record, which is in the job's segment.
-struct ResultRow {
-    std::uint64_t scenario = 0;
-    std::uint64_t length = 0; ///< Length of the record, bytes.
-    ScenarioFacts facts;
-    Sha256 digest;
-
-    friend bool operator==(const ResultRow&, const ResultRow&) = default;
-};
 
 /// A number of consecutive rows with one author.
 struct AuthorRun {
@@ -57,7 +47,8 @@ struct ResultGroup {
     std::vector<LostPositions> losses; ///< In time order. Some of the scenarios may have a result.
 };
 
-/// Encodes a group. Each distinct author takes 8 bytes, and each run of rows about 2. The runs must
+/// Encodes a group. A row takes 2 or 3 bytes where scenarios are consecutive, and lengths and
+/// classes repeat. Each distinct author takes 8 bytes, and each run of rows about 2. The runs must
 /// cover all rows.
 [[nodiscard]] Bytes encode_group(const ResultGroup& group);
 /// Errors: BadFrame for damaged bytes.

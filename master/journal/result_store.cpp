@@ -1,6 +1,7 @@
 #include "master/journal/result_store.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/engine.hpp"
@@ -21,12 +22,10 @@ namespace {
 
 static_assert(limits::result_record_bytes_max <= std::numeric_limits<std::uint32_t>::max());
 constexpr std::uint64_t magic = 0x31'47'45'53'52'44'43'00; // "\0CDRSEG1"
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint64_t file_header_bytes =
     sizeof magic + sizeof version + 2 * sizeof(std::uint64_t);
-constexpr std::uint64_t record_header_bytes = 2 * sizeof(std::uint64_t); // Length and scenario.
-// Checksum of the header and the record.
-constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);
+constexpr std::uint64_t read_ahead_max = 1u << 18;
 
 constexpr std::uint64_t places_together = 256;
 using Places = std::array<RecordPlace, places_together>;
@@ -42,6 +41,61 @@ Bytes file_header(JobId job) {
 
 Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
+}
+
+/// Reads records of a segment. Reads ahead while one record follows the other in the file.
+class RecordReader {
+  public:
+    /// `end`: the committed end of the file.
+    RecordReader(DiskFile file, const std::filesystem::path& path, std::uint64_t end)
+        : file_(std::move(file)), path_(path), end_(end) {}
+
+    /// Returns the record, which is valid until the next call. Errors: Io naming the scenario if
+    /// its checksum is wrong.
+    [[nodiscard]] Result<std::span<const std::byte>> read(std::uint64_t scenario,
+                                                          const RecordPlace& place);
+
+  private:
+    [[nodiscard]] Status fetch(const RecordPlace& place);
+
+    DiskFile file_;
+    const std::filesystem::path& path_;
+    std::uint64_t end_;
+    Bytes bytes_; ///< Of the file from `begin_` on.
+    std::uint64_t begin_ = 0;
+    std::uint64_t next_ = 0; ///< End of the last record.
+    std::uint64_t ahead_ = 0;
+};
+
+Status RecordReader::fetch(const RecordPlace& place) {
+    const std::uint64_t bytes = place.length + record_footer_bytes;
+    ahead_ = place.offset == next_ ? std::min(std::max(2 * ahead_, bytes), read_ahead_max) : 0;
+    Result<Bytes> read = file_.read_at(
+        place.offset, std::max(bytes, std::min(ahead_, end_ - std::min(end_, place.offset))));
+    if (!read) {
+        return read.error();
+    }
+    bytes_ = std::move(read.value());
+    begin_ = place.offset;
+    return Done{};
+}
+
+Result<std::span<const std::byte>> RecordReader::read(std::uint64_t scenario,
+                                                      const RecordPlace& place) {
+    const std::uint64_t end = ResultStore::end_of(place);
+    if (place.offset < begin_ || end > begin_ + bytes_.size()) {
+        CD_TRY(fetch(place));
+    }
+    next_ = end;
+    const auto stored = std::span<const std::byte>(bytes_).subspan(
+        place.offset - begin_, place.length + record_footer_bytes);
+    const auto record = stored.first(place.length);
+    if (ByteReader(stored.last(record_footer_bytes)).get<std::uint64_t>() !=
+        record_footer(scenario, record)) {
+        return damaged(
+            path_, "the result of scenario " + std::to_string(scenario) + " has a wrong checksum");
+    }
+    return record;
 }
 
 } // namespace
@@ -69,17 +123,16 @@ struct ResultStore::State {
     /// Record locations in arrays of consecutive scenarios. Made on demand, because a client could
     /// announce a huge number of scenarios.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
-    /// Written and uncommitted records.
-    std::vector<std::pair<std::uint64_t, RecordPlace>> written;
+    std::vector<const ResultBatch*> written; ///< Written and uncommitted records.
     std::uint64_t written_end = 0;
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
-    void set(std::uint64_t scenario, const RecordPlace& place);
+    /// Returns the array that has a scenario's location.
+    [[nodiscard]] Places& places_of(std::uint64_t scenario);
+    void set(Places& piece, std::uint64_t scenario, const RecordPlace& place);
     /// Opens the file for reading. Errors: Io if the file is of another kind or job, or lacks
     /// committed bytes.
     [[nodiscard]] Result<DiskFile> open() const;
-    [[nodiscard]] Result<Bytes>
-    read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;
     [[nodiscard]] Status make_file();
 };
 
@@ -88,12 +141,16 @@ RecordPlace ResultStore::State::find(std::uint64_t scenario) const {
     return found == places.end() ? RecordPlace{} : (*found->second)[scenario % places_together];
 }
 
-void ResultStore::State::set(std::uint64_t scenario, const RecordPlace& place) {
+Places& ResultStore::State::places_of(std::uint64_t scenario) {
     std::unique_ptr<Places>& piece = places[scenario / places_together];
     if (piece == nullptr) {
         piece = std::make_unique<Places>();
     }
-    RecordPlace& kept = (*piece)[scenario % places_together];
+    return *piece;
+}
+
+void ResultStore::State::set(Places& piece, std::uint64_t scenario, const RecordPlace& place) {
+    RecordPlace& kept = piece[scenario % places_together];
     records += kept.length == 0 ? 1 : 0;
     kept = place;
 }
@@ -111,36 +168,11 @@ Result<DiskFile> ResultStore::State::open() const {
         return damaged(
             path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
     }
-    const Result<Bytes> header = opened.value().read_at(0, file_header_bytes);
-    if (!header) {
-        return header.error();
-    }
-    if (header.value() != file_header(job)) {
+    const Bytes header = CD_TRY(opened.value().read_at(0, file_header_bytes));
+    if (header != file_header(job)) {
         return damaged(path, "its header is not that of the results of this job");
     }
     return opened;
-}
-
-Result<Bytes> ResultStore::State::read(const DiskFile& from,
-                                       std::uint64_t scenario,
-                                       const RecordPlace& place) const {
-    Result<Bytes> bytes = from.read_at(place.offset - record_header_bytes,
-                                       record_header_bytes + place.length + record_footer_bytes);
-    if (!bytes) {
-        return bytes;
-    }
-    const std::span<const std::byte> whole(bytes.value());
-    ByteReader in(whole);
-    const auto length = in.get<std::uint64_t>();
-    const auto index = in.get<std::uint64_t>();
-    const auto record = in.get_bytes(place.length);
-    const auto sum = in.get<std::uint64_t>();
-    if (length != place.length || index != scenario ||
-        sum != checksum(whole.first(whole.size() - record_footer_bytes))) {
-        return damaged(
-            path, "the result of scenario " + std::to_string(scenario) + " has a wrong checksum");
-    }
-    return Bytes(record.begin(), record.end());
 }
 
 // ---- The file -----------------------------------------------------------------------------------
@@ -203,14 +235,6 @@ std::uint64_t ResultStore::end() const {
     return state_->end;
 }
 
-RecordPlace ResultStore::place_at(std::uint64_t end, std::uint64_t length) {
-    return {end + record_header_bytes, length};
-}
-
-std::uint64_t ResultStore::end_of(const RecordPlace& place) {
-    return place.offset + place.length + record_footer_bytes;
-}
-
 Status ResultStore::State::make_file() {
     Result<DiskFile> made = DiskFile::open_to_write(path);
     if (!made) {
@@ -225,42 +249,30 @@ Status ResultStore::State::make_file() {
     return Done{};
 }
 
-Status ResultStore::write(std::span<const StoredRecord> records) {
+Status ResultStore::write(std::span<const ResultBatch* const> batches) {
     if (!state_->file) {
-        if (Status status = state_->make_file(); !status) {
-            return status;
-        }
+        CD_TRY(state_->make_file());
     }
-    state_->written.clear();
+    state_->written.assign(batches.begin(), batches.end());
     state_->written_end = state_->end;
-    std::uint64_t flushed = state_->end;
-    Bytes buffer;
-    const auto flush = [&] {
-        const Status status = state_->file->write_at(flushed, buffer);
-        flushed += buffer.size();
-        buffer.clear();
+    Bytes buffer; // Small batches are written together.
+    const auto write = [&](std::span<const std::byte> bytes) {
+        const Status status = state_->file->write_at(state_->written_end, bytes);
+        state_->written_end += bytes.size();
         return status;
     };
-    for (const StoredRecord& each : records) {
-        CD_CHECK(each.scenario < state_->scenarios);
-        CD_CHECK(!each.record.empty());
-        CD_CHECK(each.record.size() <= limits::result_record_bytes_max);
-        ByteWriter out;
-        out.put(std::uint64_t{each.record.size()});
-        out.put(each.scenario);
-        put_bytes(out, each.record);
-        out.put(checksum(out.bytes()));
-        buffer.insert(buffer.end(), out.bytes().begin(), out.bytes().end());
-        const RecordPlace place = place_at(state_->written_end, each.record.size());
-        state_->written.emplace_back(each.scenario, place);
-        state_->written_end = end_of(place);
+    for (const ResultBatch* batch : batches) {
+        for (const ResultRow& row : batch->rows()) {
+            CD_CHECK(row.scenario < state_->scenarios);
+            CD_CHECK(row.length != 0 && row.length <= limits::result_record_bytes_max);
+        }
+        buffer.insert(buffer.end(), batch->stored().begin(), batch->stored().end());
         if (buffer.size() >= limits::result_buffer_bytes_max) {
-            if (Status status = flush(); !status) {
-                return status;
-            }
+            CD_TRY(write(buffer));
+            buffer.clear();
         }
     }
-    return flush();
+    return write(buffer);
 }
 
 Status ResultStore::sync() const {
@@ -269,17 +281,26 @@ Status ResultStore::sync() const {
 
 void ResultStore::commit() {
     const std::lock_guard lock(state_->mutex);
-    for (const auto& [scenario, place] : state_->written) {
-        state_->set(scenario, place);
+    Places* piece = nullptr;
+    std::uint64_t number = 0; // Of the piece.
+    for (const ResultBatch* batch : state_->written) {
+        for (const ResultRow& row : batch->rows()) {
+            if (piece == nullptr || row.scenario / places_together != number) {
+                piece = &state_->places_of(row.scenario);
+                number = row.scenario / places_together;
+            }
+            const RecordPlace place = place_at(state_->end, row.length);
+            state_->set(*piece, row.scenario, place);
+            state_->end = end_of(place);
+        }
     }
     state_->written.clear();
-    state_->end = std::max(state_->end, state_->written_end);
 }
 
 void ResultStore::withdraw(std::uint64_t scenario) {
     const std::lock_guard lock(state_->mutex);
     if (state_->find(scenario).length != 0) {
-        state_->set(scenario, {});
+        state_->set(state_->places_of(scenario), scenario, {});
         --state_->records;
     }
 }
@@ -288,17 +309,17 @@ Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
     const std::lock_guard lock(state_->mutex);
     const bool is_inside = scenario < state_->scenarios && place.length != 0 &&
                            place.length <= limits::result_record_bytes_max &&
-                           place.offset >= file_header_bytes + record_header_bytes &&
-                           place.offset <= state_->end && end_of(place) <= state_->end;
+                           place.offset >= file_header_bytes && place.offset <= state_->end &&
+                           end_of(place) <= state_->end;
     if (!is_inside) {
         return damaged(state_->path,
                        "the result of scenario " + std::to_string(scenario) + " is not in it");
     }
-    state_->set(scenario, place);
+    state_->set(state_->places_of(scenario), scenario, place);
     return Done{};
 }
 
-Status ResultStore::verify() const {
+Status ResultStore::verify(const Visit& visit) const {
     const std::lock_guard lock(state_->mutex);
     // Pairs of offset and scenario.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> in_file_order;
@@ -314,14 +335,11 @@ Status ResultStore::verify() const {
     if (in_file_order.empty()) {
         return Done{};
     }
-    const Result<DiskFile> file = state_->open();
-    if (!file) {
-        return file.error();
-    }
+    RecordReader reader(CD_TRY(state_->open()), state_->path, state_->end);
     for (const auto& [offset, scenario] : in_file_order) {
-        const Result<Bytes> record = state_->read(file.value(), scenario, state_->find(scenario));
-        if (!record) {
-            return record.error();
+        const auto record = CD_TRY(reader.read(scenario, state_->find(scenario)));
+        if (visit) {
+            visit(scenario, record);
         }
     }
     return Done{};
@@ -351,7 +369,8 @@ Result<ResultsPart> ResultStore::read(std::uint64_t first,
     ResultsPart part;
     part.first = first;
     part.next = std::max(first, end);
-    std::optional<DiskFile> file; // Opened at the first record: a job without results has no file.
+    std::optional<RecordReader>
+        reader; // Made at the first record: a job without results has no file.
     for (std::uint64_t at = begin; at < end; ++at) {
         const std::uint64_t scenario = sampled_scenario(at, sample, state_->scenarios);
         const RecordPlace place = state_->find(scenario);
@@ -362,19 +381,12 @@ Result<ResultsPart> ResultStore::read(std::uint64_t first,
             part.next = at;
             break;
         }
-        if (!file) {
-            Result<DiskFile> opened = state_->open();
-            if (!opened) {
-                return opened.error();
-            }
-            file = std::move(opened.value());
+        if (!reader) {
+            reader.emplace(CD_TRY(state_->open()), state_->path, state_->end);
         }
-        const Result<Bytes> record = state_->read(*file, scenario, place);
-        if (!record) {
-            return record.error();
-        }
+        const auto record = CD_TRY(reader->read(scenario, place));
         records.put(static_cast<std::uint32_t>(place.length));
-        put_bytes(records, record.value());
+        put_bytes(records, record);
         if (part.held.empty() || part.held.back().first + part.held.back().count != at) {
             part.held.push_back({at, 0});
         }

@@ -5,32 +5,27 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
+#include "master/base/result_batch.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 
 namespace cd {
 
-/// A record to be written into the segment.
-struct StoredRecord {
-    std::uint64_t scenario = 0;
-    std::span<const std::byte> record;
-};
-
 /// Location of a record in the segment; length 0: no record.
 struct RecordPlace {
-    std::uint64_t offset = 0; ///< Offset of the record itself, without its header.
+    std::uint64_t offset = 0;
     std::uint64_t length = 0;
 
     friend bool operator==(const RecordPlace&, const RecordPlace&) = default;
 };
 
-/// The file starts with a header: kind, version, job, and their checksum. Each record follows as:
-///
-///     u64 length    u64 scenario    the record    u64 XXH3 of all three
+/// The file starts with a header: kind, version, job, and their checksum. The records follow, each
+/// with its footer (`record_footer`). The index has their lengths.
 ///
 /// Bytes past the committed end are ignored and overwritten. Takes 16 bytes of memory per answered
 /// scenario. Any thread may call `has`, `count` and `read`; one thread at a time may call the other
@@ -63,13 +58,18 @@ class ResultStore {
     /// Value of `end` for a store without records.
     [[nodiscard]] static std::uint64_t first_end();
     /// Returns the location that a record gets if it is appended when the store ends at `end`.
-    [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
+    [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length) {
+        return {end, length};
+    }
     /// Returns the end of the store after the record at this location.
-    [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);
+    [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place) {
+        return place.offset + place.length + record_footer_bytes;
+    }
 
-    /// Writes records past the committed end; without a `commit` the next call overwrites them. A
-    /// record has at least one byte and at most `limits::result_record_bytes_max`. Errors: Io.
-    [[nodiscard]] Status write(std::span<const StoredRecord> records);
+    /// Writes the records of the batches, which outlive the `commit`, past the committed end;
+    /// without a `commit` the next call overwrites them. A record has at least one byte and at most
+    /// `limits::result_record_bytes_max`. Errors: Io.
+    [[nodiscard]] Status write(std::span<const ResultBatch* const> batches);
     /// Syncs the written records to disk. Errors: Io.
     [[nodiscard]] Status sync() const;
     /// Closes the file. The next `write` opens it again; each read opens it anyway.
@@ -82,8 +82,10 @@ class ResultStore {
 
     /// Adds a record that the index names. Errors: Io for a location outside the committed bytes.
     [[nodiscard]] Status restore(std::uint64_t scenario, const RecordPlace& place);
-    /// Reads all committed records and checks their checksums. Errors: Io naming file and scenario.
-    [[nodiscard]] Status verify() const;
+    using Visit = std::function<void(std::uint64_t scenario, std::span<const std::byte> record)>;
+    /// Reads all committed records in the order of the file, checks their checksums, and calls
+    /// `visit` for each. Errors: Io naming file and scenario.
+    [[nodiscard]] Status verify(const Visit& visit = {}) const;
 
     [[nodiscard]] bool has(std::uint64_t scenario) const;
     [[nodiscard]] std::uint64_t count() const; ///< Number of scenarios with a readable record.

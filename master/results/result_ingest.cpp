@@ -1,5 +1,8 @@
 #include "master/results/result_ingest.hpp"
 
+#include "common/core/check.hpp"
+#include "common/job/result/result.hpp"
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -9,25 +12,26 @@ namespace cd {
 namespace {
 
 /// The scenarios of `results` that have no merged result yet.
-std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
-                                         std::span<const TakenResult> results) {
+std::vector<std::uint64_t> new_scenarios(const MasterJob& job, const ResultBatch& results) {
     std::vector<std::uint64_t> scenarios;
-    for (const TakenResult& one : results) {
-        if (!job.merged.has(one.result.index)) {
-            scenarios.push_back(one.result.index);
+    for (const ResultRow& row : results.rows()) {
+        if (!job.merged.has(row.scenario)) {
+            scenarios.push_back(row.scenario);
         }
     }
     return scenarios;
 }
 
 /// Returns the sums by part of the results that are not merged yet, by the pairs that they list.
-ContactMap listed_map(const MasterJob& job, std::span<const TakenResult> results) {
+ContactMap listed_map(const MasterJob& job, const ResultBatch& results) {
     ContactMapSum sum(job.work()->material->parts);
-    for (const TakenResult& one : results) {
-        if (!job.merged.has(one.result.index)) {
-            sum.add(one.result, {});
+    results.for_each([&](const ResultRow& row, std::span<const std::byte> record) {
+        if (!job.merged.has(row.scenario)) {
+            const Result<ScenarioResult> result = decode_result(record);
+            CD_CHECK(result); // It was checked when it came.
+            sum.add(result.value(), {});
         }
-    }
+    });
     return sum.take();
 }
 
@@ -212,8 +216,8 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
     const Results& results = *hand.incoming.message;
     std::vector<std::uint64_t> scenarios;
     scenarios.reserve(hand.taken.value().results.size());
-    for (const TakenResult& one : hand.taken.value().results) {
-        scenarios.push_back(one.result.index);
+    for (const ResultRow& row : hand.taken.value().results.rows()) {
+        scenarios.push_back(row.scenario);
     }
     if (!hand.incoming.is_repeated) {
         measure(job, hand);
@@ -243,7 +247,7 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
 
 void ResultIngest::measure(MasterJob& job, const Checked& hand) {
     const Results& results = *hand.incoming.message;
-    const std::vector<TakenResult>& taken = hand.taken.value().results;
+    const ResultBatch& taken = hand.taken.value().results;
     QueryStatistics search = results.statistics;
     if (search.effort != SearchEffort{} && new_scenarios(job, taken).empty()) {
         search.effort = {}; // Counts once for each scenario, whoever answers it again.

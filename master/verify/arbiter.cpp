@@ -38,12 +38,12 @@ void Arbiter::ran(const Dispute& dispute, Result<ReferenceResult> found) {
 
 void Arbiter::close(MasterJob& job, const Dispute& dispute, ReferenceResult right) {
     const std::uint64_t index = dispute.scenario;
-    const Status fits = check_record_size(index, right.taken.record.size());
+    const Status fits = check_record_size(index, right.taken.results.record_bytes());
     const bool is_judged = job.merged.has(index) && !job.merged.is_failed_by_master(index);
     const Verdict verdict =
         judge(is_judged ? std::optional(job.merged.digest_of(index)) : std::nullopt,
               dispute.digest,
-              right.taken.digest);
+              right.taken.results.digests().front());
     if (!right.is_stopped) { // Otherwise the right result is unknown.
         punish(job, dispute, verdict);
     }
@@ -57,9 +57,9 @@ void Arbiter::close(MasterJob& job, const Dispute& dispute, ReferenceResult righ
         withdraw_map(job, "a result of the job was wrong and has been corrected");
     }
     if (!job.merged.has(index) && fits) {
-        (void)JobMerger::merge_one(job, right.taken, nullptr, entry);
-        parts_.dispatch.act(
-            parts_.dispatch->answered({{}, {}, job.id, PositionRange{right.taken.position, 1}}));
+        const PositionRange position{right.taken.positions_of_rows.front(), 1};
+        (void)JobMerger::merge_into(job, right.taken, nullptr, entry);
+        parts_.dispatch.act(parts_.dispatch->answered({{}, {}, job.id, position}));
     }
     entry.alarms = parts_.alarms.take_changed();
     entry.progress = job.progress(parts_.jobs.now());

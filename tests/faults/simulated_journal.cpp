@@ -50,7 +50,7 @@ Status SimulatedDatabase::write(std::span<const DatabaseChange> changes) {
 
 Result<std::unique_ptr<Journal>> SimulatedJournal::open(World& world) {
     auto database = std::make_unique<SimulatedDatabase>(world);
-    auto recovered = recover(*database, database->path().parent_path() / "jobs", true);
+    auto recovered = recover(*database, database->path().parent_path() / "jobs");
     if (!recovered) {
         return recovered.error();
     }

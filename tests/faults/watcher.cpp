@@ -10,7 +10,10 @@
 #include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "master/journal/journal_records.hpp"
+#include "master/journal/result_group.hpp"
+#include "master/journal/result_store.hpp"
 #include "master/workers/worker_watch.hpp"
+#include "tests/faults/world.hpp"
 
 #include <algorithm>
 
@@ -48,6 +51,13 @@ std::vector<InstanceId> authors_of(const ResultGroup& group) {
         authors.insert(authors.end(), run.rows, run.author);
     }
     return authors;
+}
+
+/// The digest of a record that the master has written.
+Sha256 digest_at(JobId job, const RecordPlace& place) {
+    const std::string path = "/state/jobs/" + std::to_string(job.value) + ".results";
+    const Bytes& content = World::current()->disk.by_path.at(path)->content;
+    return digest_of_record(std::span(content).subspan(place.offset, place.length));
 }
 
 } // namespace
@@ -123,19 +133,22 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
         }
     }
     const std::vector<InstanceId> authors = authors_of(group);
+    std::uint64_t end = group.begin;
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const ResultRow& row = group.rows[i];
+        const RecordPlace place = ResultStore::place_at(end, row.length);
+        end = ResultStore::end_of(place);
         if (withdrawn.contains(authors[i])) {
             job.withdrawn.insert(row.scenario);
             continue;
         }
         const std::string name = name_of(id, row.scenario);
         const auto [result, is_new] =
-            job.results.emplace(row.scenario, DurableResult{row.digest, authors[i]});
+            job.results.emplace(row.scenario, DurableResult{digest_at(id, place), authors[i]});
         if (!is_new && job.is_right(row.scenario)) {
             wrong = name + " is merged twice";
         } else if (!is_new) {
-            result->second.digest = row.digest;
+            result->second.digest = digest_at(id, place);
             result->second.author = authors[i];
             ++corrected_;
         }

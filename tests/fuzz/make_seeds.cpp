@@ -24,10 +24,10 @@
 #include "common/tree/tree_file.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 #include "common/tree/wire/top_block.hpp"
+#include "master/base/result_batch.hpp"
 #include "master/journal/alarm_record.hpp"
 #include "master/journal/journal_records.hpp"
 #include "master/journal/result_group.hpp"
-#include "master/journal/result_store.hpp"
 #include "master/submission/pose_spool.hpp"
 #include "proto/access/join_token.hpp"
 #include "proto/channel/frame.hpp"
@@ -259,18 +259,16 @@ void add_blocks_and_records(Seeds& seeds) {
         seeds.add("sent_block", "top_" + name, sent(1, top));
     }
     ByteWriter records;
-    const tests::TemporaryFolder folder;
-    const auto store = ResultStore::create(folder / "segment", JobId{7}, 1000);
-    std::size_t header = 0;
+    ByteWriter segment;
     for (const AskedScenario& asked : asked_scenarios()) {
         const Bytes record = encode_result(run_scenario(a, b, asked.scenario, asked.query).result);
         seeds.add("result", asked.name, record);
         records.put(static_cast<std::uint32_t>(record.size()));
         put_bytes(records, record);
-        const StoredRecord stored{asked.scenario.index, record};
-        need(store->write({&stored, 1}).has_value());
-        store->commit();
-        header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
+        segment.put(std::uint64_t{record.size()});
+        segment.put(asked.scenario.index);
+        put_bytes(segment, record);
+        segment.put(record_footer(asked.scenario.index, record));
     }
     const Bytes packed = pack_records(records.bytes());
     seeds.add("packed", "records", marked(0, packed));
@@ -284,9 +282,8 @@ void add_blocks_and_records(Seeds& seeds) {
     map.parts.pairs.back().near = 77;
     map.parts.pairs.back().worst_near = 70;
     seeds.add("map", "with_near_pairs", decompress(pack_map(map), 100).value());
-    const Bytes segment = bytes_of(std::string_view(read_file(folder / "segment")).substr(header));
-    seeds.add("segment", "records", marked(0, segment));
-    seeds.add("segment", "summed_up", marked(1, segment));
+    seeds.add("segment", "records", marked(0, segment.bytes()));
+    seeds.add("segment", "summed_up", marked(1, segment.bytes()));
 }
 
 void add_rows(Seeds& seeds) {
@@ -304,7 +301,7 @@ void add_rows(Seeds& seeds) {
     add(2, "end", encode_end({JobState::Failed, "why", tests::some_hash(3)}));
     ResultGroup group;
     group.begin = 100;
-    group.rows = {{4, 20, {}, tests::some_hash(1)}, {9, 300, {}, tests::some_hash(2)}};
+    group.rows = {{4, 20, {}}, {9, 300, {}}};
     group.rows.back().facts.kind = ScenarioClass::Near;
     group.rows.back().facts.near_count = 1000;
     group.authors = {{1, 7}, {1, 0}};

@@ -93,42 +93,51 @@ void check_results(Input packed, const std::vector<Input>& records) {
     }
 }
 
-/// Adds the checksum of each record of a segment, as far as the lengths are valid.
-Bytes sum_up_segment(Input records) {
-    constexpr std::size_t header_bytes = 2 * word;
-    ByteWriter out;
-    while (records.size() >= header_bytes + word) {
-        const auto length = ByteReader(records).get<std::uint64_t>();
-        if (length > records.size() - header_bytes - word) {
-            break;
+/// A record of a segment in the input: u64 length, u64 scenario, the record, its footer.
+struct SegmentRecord {
+    std::uint64_t scenario = 0;
+    Input record;
+    std::uint64_t footer = 0;
+};
+
+/// Reads records as far as the input has whole ones.
+std::vector<SegmentRecord> segment_records(Input input) {
+    std::vector<SegmentRecord> records;
+    for (ByteReader in(input);;) {
+        const auto length = in.get<std::uint64_t>();
+        SegmentRecord one;
+        one.scenario = in.get<std::uint64_t>();
+        one.record = in.get_bytes(length);
+        one.footer = in.get<std::uint64_t>();
+        if (in.failed()) {
+            return records;
         }
-        const Input summed = records.first(header_bytes + length);
-        put_bytes(out, summed);
-        out.put(checksum(summed));
-        records = records.subspan(summed.size() + word);
+        records.push_back(one);
     }
-    put_bytes(out, records);
+}
+
+Bytes segment_of(std::span<const SegmentRecord> records) {
+    ByteWriter out;
+    for (const SegmentRecord& one : records) {
+        put_bytes(out, one.record);
+        out.put(one.footer);
+    }
     return out.take();
 }
 
 using RecordsOfScenarios = std::map<std::uint64_t, Input>;
 
-/// Restores the records of a segment at the positions that valid lengths give.
-RecordsOfScenarios restore_all(ResultStore& store, Input records) {
+/// Restores the records of a segment, as far as the store takes them.
+RecordsOfScenarios
+restore_all(ResultStore& store, std::uint64_t end, std::span<const SegmentRecord> records) {
     RecordsOfScenarios restored;
-    std::uint64_t end = store.end() - records.size();
-    ByteReader in(records);
-    while (!in.failed() && in.remaining() != 0) {
-        const auto length = in.get<std::uint64_t>();
-        const auto scenario = in.get<std::uint64_t>();
-        const RecordPlace place = ResultStore::place_at(end, length);
-        if (!store.restore(scenario, place)) {
+    for (const SegmentRecord& one : records) {
+        const RecordPlace place = ResultStore::place_at(end, one.record.size());
+        if (!store.restore(one.scenario, place)) {
             break;
         }
         end = ResultStore::end_of(place);
-        restored[scenario] = in.get_bytes(length);
-        static_cast<void>(in.get<std::uint64_t>());
-        require(!in.failed(), "a record that is restored is there");
+        restored[one.scenario] = one.record;
     }
     return restored;
 }
@@ -222,21 +231,26 @@ void journal_row(Input input) {
 
 /// Adds the file's header, which no fuzzer would guess.
 void segment(Input input) {
-    const Input rest = rest_of(input);
-    const Bytes records = is_odd(input) ? sum_up_segment(rest) : Bytes(rest.begin(), rest.end());
+    std::vector<SegmentRecord> records = segment_records(rest_of(input));
+    for (SegmentRecord& one : records) {
+        one.footer = is_odd(input) ? record_footer(one.scenario, one.record) : one.footer;
+    }
+    const Bytes bytes = segment_of(records);
     const MemoryFile file({});
     const auto made = ResultStore::create(file.path(), segment_job, segment_scenarios);
     const std::byte any{1};
-    const StoredRecord first{0, {&any, 1}};
-    require(made->write({&first, 1}).has_value(), "a segment in memory can be written");
+    ResultBatch first;
+    first.add(0, {}, {&any, 1});
+    require(made->write(std::vector<const ResultBatch*>{&first}).has_value(),
+            "a segment in memory can be written");
     made->commit();
     const std::uint64_t begin = made->end();
-    std::ofstream(file.path(), std::ios::app | std::ios::binary) << text_of(records);
+    std::ofstream(file.path(), std::ios::app | std::ios::binary) << text_of(bytes);
     const auto opened =
-        ResultStore::open(file.path(), segment_job, segment_scenarios, begin + records.size());
+        ResultStore::open(file.path(), segment_job, segment_scenarios, begin + bytes.size());
     require(opened.has_value(), "a segment with its header is opened");
     ResultStore& store = *opened.value();
-    const RecordsOfScenarios restored = restore_all(store, records);
+    const RecordsOfScenarios restored = restore_all(store, begin, records);
     const bool is_verified = store.verify().has_value();
     require(is_verified || !is_odd(input), "records with their checksums are verified");
     if (!is_verified) {

@@ -21,15 +21,12 @@
 namespace cd::tests {
 namespace {
 
-JournalResult failed_result(std::uint64_t scenario) {
+ScenarioResult failed_result(std::uint64_t scenario) {
     ScenarioResult result;
     result.index = scenario;
     result.kind = ScenarioClass::Failed;
     result.failure = "why not";
-    JournalResult made;
-    made.record = encode_result(result);
-    made.row = {scenario, made.record.size(), facts_of(result), sha256(made.record)};
-    return made;
+    return result;
 }
 
 /// State with a mesh, an unfinished job with poses and results, and an ended job with results.
@@ -72,7 +69,7 @@ class CheckState : public testing::Test {
             }
             journal->add(AcceptJob{job});
             AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}, {}};
-            add.results.push_back(failed_result(3));
+            add.results.add(failed_result(3));
             add.alarms.emplace().add("somebody has to look at this");
             add.alarms->quarantine(7);
             journal->add(std::move(add));

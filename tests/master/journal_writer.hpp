@@ -24,18 +24,14 @@ inline JobRecord job_record(JobId job, std::uint64_t scenarios) {
     return record;
 }
 
-/// Makes a result of class separate with a record of `size` or more.
-inline JournalResult result_of(std::uint64_t scenario, std::size_t size = 40) {
+/// Makes a failure with a record of `size` bytes or more.
+inline ScenarioResult result_of(std::uint64_t scenario, std::size_t size = 40) {
     ScenarioResult result;
     result.index = scenario;
     result.level = Level::Count;
     result.kind = ScenarioClass::Failed;
     result.failure = std::string(size, 'x');
-    JournalResult journalled;
-    journalled.record = encode_result(result);
-    journalled.row = {
-        scenario, journalled.record.size(), facts_of(result), sha256(journalled.record)};
-    return journalled;
+    return result;
 }
 
 /// A journal under test, with the events it reported.
@@ -118,7 +114,7 @@ inline AddResults results_of(JobId job,
                              std::size_t size = 40) {
     AddResults add{job, store, {}, {}, {}};
     for (std::uint64_t i = first; i < first + count; ++i) {
-        add.results.push_back(result_of(i, size));
+        add.results.add(result_of(i, size));
     }
     add.progress.answered_by_master = first + count;
     add.progress.traffic = {{1, 2, 3, 4, 5, 6}, 7};

@@ -168,15 +168,15 @@ class PartsStage : public testing::Test {
     [[nodiscard]] static std::uint64_t position_of(const MasterJob& job, std::uint64_t index) {
         return placed(job, index).position;
     }
-    [[nodiscard]] static TakenResults taken(ScenarioResult result) {
+    [[nodiscard]] static TakenResults taken(const ScenarioResult& result) {
         TakenResults one;
-        one.results.push_back(take_result(std::move(result), 0, {}));
+        one.add(result, 0, {});
         return one;
     }
-    void merge(MasterJob& job, ScenarioResult result, InstanceId process) {
+    void merge(MasterJob& job, const ScenarioResult& result, InstanceId process) {
         const std::uint64_t index = result.index;
-        TakenResults one = taken(std::move(result));
-        one.results.front().position =
+        TakenResults one = taken(result);
+        one.positions_of_rows.front() =
             index < job.submit.scenarios ? position_of(job, index) : index;
         services.merger.merge(job, std::move(one), process == 0 ? nullptr : author(process));
     }

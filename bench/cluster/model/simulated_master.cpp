@@ -104,9 +104,9 @@ Result<TakenResults> SimulatedMaster::State::check(const Results& message) {
     spent += message.count * workload.results.intake_seconds;
     TakenResults taken;
     for (const std::uint64_t scenario : scenarios_in(message)) {
-        TakenResult& one = taken.results.emplace_back();
-        one.result.index = scenario;
-        one.position = scenario; // The scenarios lie on a grid, which keeps its order.
+        ScenarioResult result;
+        result.index = scenario;
+        taken.add(result, scenario, {}); // The scenarios lie on a grid, which keeps its order.
     }
     taken.positions = PositionSet::of(scenarios_in(message));
     return taken;

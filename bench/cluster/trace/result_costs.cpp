@@ -35,12 +35,11 @@ class Writer {
     /// Returns when all results are merged and on disk.
     void write(TakenResults taken) {
         AddResults add{job, store_, {}, {}, {}};
-        for (TakenResult& one : taken.results) {
-            static_cast<void>(merger_.add(one.result, one.digest));
-            const ResultRow row{
-                one.result.index, one.record.size(), facts_of(one.result), one.digest};
-            add.results.push_back({row, std::move(one.record)});
+        for (std::size_t i = 0; i < taken.results.size(); ++i) {
+            const ResultRow& row = taken.results.rows()[i];
+            static_cast<void>(merger_.add(row.scenario, row.facts, taken.results.digests()[i]));
         }
+        add.results = std::move(taken.results);
         wait_for(journal_->add(std::move(add)));
     }
 

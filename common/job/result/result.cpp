@@ -150,38 +150,21 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     out.put_array(std::span<const std::uint8_t>(head).first(bytes));
 }
 
-/// Writes a record without its length.
-void put_body(ByteWriter& out, const ScenarioResult& result) {
-    put_head(out, result);
-    if (result.kind == ScenarioClass::Undecided) {
-        out.put(canonical(result.distance_bound));
-    }
-    if (result.kind == ScenarioClass::Failed) {
-        out.put_text(result.failure);
-        return;
-    }
-    if (result.question == Question::Distance) {
-        put_witness(out, result.nearest);
-        return;
-    }
-    if (result.level >= Level::Pairs) {
-        CD_CHECK(result.pairs.size() <= UINT32_MAX);
-        out.put(static_cast<std::uint32_t>(result.pairs.size()));
-        put_pairs(out, result.pairs);
-    }
-    if (result.question == Question::Shots) {
-        CD_CHECK(result.hits.size() == result.pairs.size());
-        put_hits(out, result.hits);
-        return;
-    }
-    if (result.question == Question::Motion) {
-        put_motion(out, result.motion.value());
-        return;
-    }
-    if (result.level >= Level::Contacts) {
-        put_shared_points(out, result);
-        put_numbers(out, result.near_distances);
-    }
+/// Empties a result, and keeps the memory of its lists.
+void clear(ScenarioResult& result) {
+    static_cast<ScenarioHead&>(result) = {};
+    result.pair_count = 0;
+    result.distance_bound = 0;
+    result.near_count = 0;
+    result.pairs.clear();
+    result.point_origins.clear();
+    result.point_offsets.clear();
+    result.points.clear();
+    result.near_distances.clear();
+    result.nearest.reset();
+    result.hits.clear();
+    result.motion.reset();
+    result.failure.clear();
 }
 
 /// Reads what version 3 adds behind the head of contacts and motions. Contacts have that version
@@ -355,9 +338,42 @@ std::string_view to_text(ScenarioClass value) {
     return class_names[number];
 }
 
+void put_result(ByteWriter& out, const ScenarioResult& result) {
+    put_head(out, result);
+    if (result.kind == ScenarioClass::Undecided) {
+        out.put(canonical(result.distance_bound));
+    }
+    if (result.kind == ScenarioClass::Failed) {
+        out.put_text(result.failure);
+        return;
+    }
+    if (result.question == Question::Distance) {
+        put_witness(out, result.nearest);
+        return;
+    }
+    if (result.level >= Level::Pairs) {
+        CD_CHECK(result.pairs.size() <= UINT32_MAX);
+        out.put(static_cast<std::uint32_t>(result.pairs.size()));
+        put_pairs(out, result.pairs);
+    }
+    if (result.question == Question::Shots) {
+        CD_CHECK(result.hits.size() == result.pairs.size());
+        put_hits(out, result.hits);
+        return;
+    }
+    if (result.question == Question::Motion) {
+        put_motion(out, result.motion.value());
+        return;
+    }
+    if (result.level >= Level::Contacts) {
+        put_shared_points(out, result);
+        put_numbers(out, result.near_distances);
+    }
+}
+
 Bytes encode_result(const ScenarioResult& result) {
     ByteWriter out;
-    put_body(out, result);
+    put_result(out, result);
     return out.take();
 }
 
@@ -366,20 +382,25 @@ void put_record(ByteWriter& out, const ScenarioResult& result) {
     CD_CHECK(bytes <= UINT32_MAX);
     out.put(static_cast<std::uint32_t>(bytes));
     const std::size_t begin = out.size();
-    put_body(out, result);
+    put_result(out, result);
     CD_CHECK(out.size() - begin == bytes);
 }
 
 Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
-    ByteReader in(bytes);
     ScenarioResult result;
+    CD_TRY(decode_result(bytes, result));
+    return result;
+}
+
+Status decode_result(std::span<const std::byte> bytes, ScenarioResult& result) {
+    clear(result);
+    ByteReader in(bytes);
     CD_TRY(get_head(in, result));
     CD_TRY(get_body(in, result));
     if (!in.complete()) {
         return bad("cut short or bytes left over");
     }
-    CD_TRY(check_sense(result));
-    return result;
+    return check_sense(result);
 }
 
 void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {

@@ -123,6 +123,8 @@ struct ScenarioResult : ScenarioHead {
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
 /// The caller guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
+/// Appends the canonical record to `out`.
+void put_result(ByteWriter& out, const ScenarioResult& result);
 /// Appends the canonical record to `out`, after its length as u32.
 void put_record(ByteWriter& out, const ScenarioResult& result);
 
@@ -130,6 +132,9 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
 /// counts that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
+/// Decodes a record into `result`, whose earlier content is lost, and whose memory is used again.
+/// After an error the content is meaningless.
+[[nodiscard]] Status decode_result(std::span<const std::byte> bytes, ScenarioResult& result);
 
 /// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs. The
 /// last four of these bytes are the number of pairs. The bytes are untrusted.

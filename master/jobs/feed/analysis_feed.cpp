@@ -22,11 +22,10 @@ void AnalysisFeed::start(MasterJob& job) {
 std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
     // `deliver` runs on a pool thread, so that the results are encoded there.
     auto deliver = [this, &background = parts_.background, id = job.id](AnalysedBlock block) {
-        std::vector<TakenResult> finished;
-        for (Analysis& analysis : block.scenarios) {
+        TakenResults finished;
+        for (const Analysis& analysis : block.scenarios) {
             if (analysis.finished) {
-                finished.push_back(
-                    take_result(std::move(*analysis.finished), analysis.position, analysis.cost));
+                finished.add(*analysis.finished, analysis.position, analysis.cost);
             }
         }
         background.post(
@@ -38,7 +37,7 @@ std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
         parts_.background.compute_pool(), job.work()->analysis_input, std::move(deliver));
 }
 
-void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
+void AnalysisFeed::came(JobId id, AnalysedBlock block, TakenResults finished) {
     MasterJob* job = parts_.jobs.find_running(id);
     if (job == nullptr) {
         return;
@@ -61,9 +60,11 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
         const double seconds = std::chrono::duration<double>(parts_.jobs.now() - begin).count();
         rates.matching.add(seconds, static_cast<double>(handed_out));
     }
-    job->tally.answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(
-        finished, [&](const TakenResult& one) { return !job->merged.has(one.result.index); }));
-    parts_.merger.merge(*job, {std::move(finished), {}}, nullptr);
+    job->tally.answered_by_master += static_cast<std::uint64_t>(
+        std::ranges::count_if(finished.results.rows(), [&](const ResultRow& row) {
+            return !job->merged.has(row.scenario);
+        }));
+    parts_.merger.merge(*job, std::move(finished), nullptr);
     parts_.life.end_if_complete(*job);
 }
 

@@ -43,7 +43,7 @@ class AnalysisFeed {
   private:
     [[nodiscard]] std::unique_ptr<Analyser> make_analyser(const MasterJob& job);
     /// Takes an analysed block. `finished`: results of its scenarios that need no worker.
-    void came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
+    void came(JobId job, AnalysedBlock block, TakenResults finished);
     /// Gives the dispatcher the scenarios that need a worker, and returns their number. Skips
     /// scenarios with a result, for example one that a worker delivered after a restart.
     std::uint64_t hand_out(MasterJob& job, AnalysedBlock& block);

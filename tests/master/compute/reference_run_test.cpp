@@ -43,8 +43,9 @@ TEST_F(ReferenceRun, GivesTheRecordOfAWholeRun) {
         context_.run_one();
     }
     EXPECT_FALSE(found->is_stopped);
-    EXPECT_EQ(found->taken.result.index, scenario);
-    EXPECT_EQ(found->taken.result.pair_count, right_result(scenario).pair_count);
+    const ResultRow& row = found->taken.results.rows().front();
+    EXPECT_EQ(row.scenario, scenario);
+    EXPECT_EQ(row.facts, facts_of(right_result(scenario)));
     EXPECT_FALSE(runs.stop(JobId{1}, std::nullopt)) << "none is left";
 }
 
@@ -65,7 +66,7 @@ TEST_F(ReferenceRun, AStoppedRunIsACancelledFailure) {
         context_.run_one();
     }
     EXPECT_TRUE(found->is_stopped);
-    EXPECT_EQ(found->taken.result.kind, ScenarioClass::Failed);
+    EXPECT_EQ(found->taken.results.rows().front().facts.kind, ScenarioClass::Failed);
 }
 
 TEST_F(ReferenceRun, AfterTheCloseNothingIsReported) {

@@ -118,24 +118,28 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
     const auto taken = take_results(task_, message_of({result_of(0), result_of(1)}));
     ASSERT_TRUE(taken) << taken.error().detail;
     EXPECT_EQ(taken.value().positions, (PositionRange{10, 2}));
-    EXPECT_EQ(taken.value().results[1].position, 11u);
-    ASSERT_EQ(taken.value().results.size(), 2u);
+    EXPECT_EQ(taken.value().positions_of_rows, (std::vector<std::uint64_t>{10, 11}));
+    const ResultBatch& results = taken.value().results;
+    ASSERT_EQ(results.size(), 2u);
     EXPECT_TRUE(taken.value().map.empty());
+    JobStatistics cost;
+    ResultBatch expected;
     for (std::size_t i = 0; i < 2; ++i) {
-        const TakenResult& one = taken.value().results[i];
         const ScenarioRun whole = run_scenario(*material_->trees[0],
                                                *material_->trees[1],
                                                task_.analyses[i]->scenario,
                                                material_->query);
-        EXPECT_EQ(one.result.kind, whole.result.kind);
-        EXPECT_EQ(one.record, encode_result(whole.result));
-        EXPECT_EQ(one.digest, digest_of(whole.result));
-        EXPECT_EQ(one.cost.search.box_tests, 100u); // Cost of the analysis.
-        EXPECT_EQ(one.cost.inside.scenarios, whole.inside.scenarios);
-        EXPECT_EQ(one.cost.inside.work, whole.inside.work);
+        EXPECT_EQ(results.rows()[i].facts, facts_of(whole.result));
+        EXPECT_EQ(results.digests()[i], digest_of(whole.result));
+        expected.add(whole.result);
+        cost.inside += whole.inside;
     }
-    EXPECT_EQ(taken.value().results[0].result.kind, ScenarioClass::Touch);
-    EXPECT_EQ(taken.value().results[1].result.kind, ScenarioClass::Cross);
+    EXPECT_EQ(results.stored(), expected.stored());
+    EXPECT_EQ(taken.value().cost.search.box_tests, 200u); // Cost of the two analyses.
+    EXPECT_EQ(taken.value().cost.inside.scenarios, cost.inside.scenarios);
+    EXPECT_EQ(taken.value().cost.inside.work, cost.inside.work);
+    EXPECT_EQ(results.rows()[0].facts.kind, ScenarioClass::Touch);
+    EXPECT_EQ(results.rows()[1].facts.kind, ScenarioClass::Cross);
 }
 
 TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {

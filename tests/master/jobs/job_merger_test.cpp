@@ -41,6 +41,20 @@ TEST_F(JobMergerTest, ARepeatedResultChangesNothing) {
     EXPECT_EQ(job_.merged.author_of(touching_)->process, 70u);
 }
 
+TEST_F(JobMergerTest, OfAMessageOnlyNewResultsAreWritten) {
+    ScenarioResult other = right_result(touching_);
+    other.index = touching_ == 0 ? 1 : 0;
+    merge(job_, right_result(touching_), 70);
+    TakenResults message = taken(right_result(touching_));
+    message.add(other, position_of(job_, other.index), {});
+    AddResults add{job_.id, job_.results, {}, {}, {}};
+    EXPECT_THAT(JobMerger::merge_into(job_, message, author(71), add), IsEmpty());
+    ASSERT_EQ(add.results.size(), 1u);
+    EXPECT_EQ(add.results.rows()[0].scenario, other.index);
+    EXPECT_EQ(add.results.digests()[0], digest_of(other));
+    EXPECT_EQ(add.results.record_bytes(), encode_result(other).size());
+}
+
 TEST_F(JobMergerTest, ADifferentResultOpensADisputeOnceItIsDurable) {
     merge(job_, wrong_result(touching_), 70);
     merge(job_, right_result(touching_), 71);
@@ -82,8 +96,8 @@ TEST_F(JobMergerTest, ARecordThatTheJournalDoesNotTakeFailsTheJob) {
     ScenarioResult sound = right_result(touching_);
     sound.index = touching_ == 0 ? 1 : 0;
     TakenResults message = taken(sound);
-    message.results.push_back(std::move(taken(right_result(touching_)).results[0]));
-    message.results[1].record.resize(limits::result_record_bytes_max + 1);
+    const Bytes large(limits::result_record_bytes_max + 1);
+    message.results.add(touching_, {}, large);
     services.merger.merge(job_, std::move(message), author(70));
     ASSERT_FALSE(job_.is_running());
     EXPECT_EQ(job_.merged.summary().merged(), 0u) << "the journal has no result of the message";

@@ -100,7 +100,7 @@ TEST(JournalAuthors, WithdrawnResultsCountAsNeverWrittenAndCorrectedOnesAreTheMa
         EXPECT_EQ(job.withdrawn, 10u);
         EXPECT_EQ(job.results->count(), 12u);
         EXPECT_EQ(job.contributors, (std::set<InstanceId>{8}));
-        EXPECT_EQ(job.merger.digest_of(12), result_of(12, 70).row.digest);
+        EXPECT_EQ(job.merger.digest_of(12), digest_of(result_of(12, 70)));
     }
 }
 

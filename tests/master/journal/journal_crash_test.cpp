@@ -221,7 +221,7 @@ class Disk {
     std::map<std::string, std::size_t> durable_names_;
 };
 
-JournalResult sized_result(std::uint64_t scenario) {
+ScenarioResult sized_result(std::uint64_t scenario) {
     return result_of(scenario, 100 + scenario % 900);
 }
 
@@ -274,7 +274,7 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
             AddResults add{job.id, store, {}, {}, {}};
             history.added.emplace_back();
             for (std::uint64_t i = 0; i <= group % 7; ++i, ++next) {
-                add.results.push_back(sized_result(next));
+                add.results.add(sized_result(next));
                 history.added.back().push_back(next);
             }
             if (group == verdict_group) {
@@ -301,7 +301,7 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
             {},
             {}};
         for (std::uint64_t i = 0; i < dropped_results; ++i) {
-            results.results.push_back(sized_result(i));
+            results.results.add(sized_result(i));
         }
         journal->add(std::move(results));
         journal->add(EndJob{dropped.id, {JobState::Done, "", {}}, {}});
@@ -361,7 +361,7 @@ void expect_kept(const std::filesystem::path& directory,
             const bool is_here = done.erase(scenario) == 1;
             ASSERT_TRUE(is_here || position > confirmed) << "lost, and it was confirmed";
             if (is_here) {
-                ASSERT_EQ(job.merger.digest_of(scenario), sized_result(scenario).row.digest);
+                ASSERT_EQ(job.merger.digest_of(scenario), digest_of(sized_result(scenario)));
             }
         }
     }

@@ -170,8 +170,7 @@ TEST(Journal, AnEndedJobComesBackWithItsDigest) {
         const auto store = writer.accept(JobId{1}, 20);
         ResultMerger merger(20);
         for (std::uint64_t i = 0; i < 20; ++i) {
-            const JournalResult result = result_of(i);
-            (void)merger.add(i, result.row.facts, result.row.digest);
+            (void)merger.add(result_of(i));
         }
         digest = merger.digest();
         writer.journal->add(results_of(JobId{1}, store, 0, 20));
@@ -391,13 +390,14 @@ TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
         // Two records; the first is in no group.
         auto database = std::move(JournalDatabase::open(folder.path(), {}).value());
         const auto store = ResultStore::create(folder / "jobs/2.results", JobId{2}, 100);
-        const JournalResult first = result_of(49);
-        const JournalResult second = result_of(50);
-        ASSERT_TRUE(
-            store->write(std::vector<StoredRecord>{{49, first.record}, {50, second.record}}));
+        ResultBatch batch;
+        batch.add(result_of(49));
+        batch.add(result_of(50));
+        ASSERT_TRUE(store->write(std::vector<const ResultBatch*>{&batch}));
+        const auto rows = batch.rows();
         ResultGroup group;
-        group.begin = ResultStore::end_of(ResultStore::place_at(store->end(), first.record.size()));
-        group.rows = {second.row};
+        group.begin = ResultStore::end_of(ResultStore::place_at(store->end(), rows[0].length));
+        group.rows = {rows[1]};
         group.authors = {{1, 0}};
         Bytes record = encode_job(job_record(JobId{2}, 100));
         using Kind = DatabaseChange::Kind;

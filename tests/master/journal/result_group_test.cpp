@@ -18,7 +18,7 @@ ResultGroup some_group() {
     for (std::uint64_t i = 0; i < 6; ++i) {
         const ScenarioFacts facts{
             ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i, i % 2 == 0 ? i << 40 : 0};
-        group.rows.push_back({1000 - 70 * i, 20 + i, facts, some_hash(static_cast<int>(i))});
+        group.rows.push_back({1000 - 70 * i, 20 + i, facts});
     }
     group.rows.back().facts.kind = ScenarioClass::Near;
     group.maps = {Bytes(3, std::byte{1}), Bytes()};
@@ -58,7 +58,7 @@ TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
 
 TEST(ResultGroup, RowsThatDoNotAddUpAndUnknownProcessesAreErrors) {
     ResultGroup group;
-    group.rows = {{4, 20, {}, some_hash(1)}};
+    group.rows = {{4, 20, {}}};
     group.authors = {{1, 7}};
     const Bytes good = encode_group(group);
     ASSERT_TRUE(decode_group(good));
@@ -79,10 +79,31 @@ TEST(ResultGroup, LossesOfNoPlacesOrOfTooManyToCountAreAnError) {
     }
 }
 
+TEST(ResultGroup, ConsecutiveAlikeRowsTakeAByteEach) {
+    ResultGroup group;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        group.rows.push_back({500 + i, 28, {}});
+    }
+    group.authors = {{1000, 7}};
+    EXPECT_LE(encode_group(group).size(), 1000u + 50);
+}
+
+TEST(ResultGroup, RunsOfMoreRowsThanThereAreAreAnError) {
+    ResultGroup group;
+    group.rows = {{4, 20, {}}};
+    group.authors = {{1, 7}};
+    Bytes bytes = encode_group(group);
+    // After the begin, the number of rows and one number of pairs comes the run of scenarios.
+    constexpr std::size_t run = sizeof group.begin + 3;
+    ASSERT_EQ(bytes[run], std::byte{0});
+    bytes[run] = std::byte{1};
+    EXPECT_FALSE(decode_group(bytes));
+}
+
 TEST(ResultGroup, AuthorsCostLittleBesideTheResults) {
     ResultGroup group;
     for (std::uint64_t i = 0; i < 1000; ++i) {
-        group.rows.push_back({i, 20, {}, some_hash(1)});
+        group.rows.push_back({i, 20, {}});
     }
     group.authors = {{1000, 0}};
     const std::size_t of_one = encode_group(group).size();

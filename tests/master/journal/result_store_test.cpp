@@ -46,9 +46,19 @@ class ResultStoreTest : public testing::Test {
     TemporaryFolder folder_;
 };
 
+ResultBatch batch_of(std::uint64_t scenario, const Bytes& record) {
+    ResultBatch batch;
+    batch.add(scenario, {}, record);
+    return batch;
+}
+
+Status write(ResultStore& store, const ResultBatch& batch) {
+    return store.write(std::vector<const ResultBatch*>{&batch});
+}
+
 Status add(ResultStore& store, std::uint64_t scenario, const Bytes& record) {
-    const StoredRecord one{scenario, record};
-    Status written = store.write(std::span(&one, 1));
+    const ResultBatch one = batch_of(scenario, record);
+    Status written = write(store, one);
     if (written) {
         store.commit();
     }
@@ -157,8 +167,8 @@ TEST_F(ResultStoreTest, UncommittedRecordsAreUnreadableAndOverwritten) {
     const auto store = make_store(3);
     const Bytes first = make_record(0, 100);
     const Bytes second = make_record(1, 60);
-    const StoredRecord dropped{0, first};
-    ASSERT_TRUE(store->write(std::span(&dropped, 1)));
+    const ResultBatch dropped = batch_of(0, first);
+    ASSERT_TRUE(write(*store, dropped));
     EXPECT_FALSE(store->has(0));
     ASSERT_TRUE(add(*store, 1, second));
     EXPECT_EQ(store->count(), 1u);
@@ -203,9 +213,8 @@ TEST_F(ResultStoreTest, AReopenedStoreHasItsCommittedRecords) {
             ASSERT_TRUE(add(*store, i, make_record(i, 1 + 7 * i)));
         }
         end = store->end();
-        const Bytes lost = make_record(70, 30);
-        const StoredRecord uncommitted{70, lost};
-        ASSERT_TRUE(store->write(std::span(&uncommitted, 1)));
+        const ResultBatch uncommitted = batch_of(70, make_record(70, 30));
+        ASSERT_TRUE(write(*store, uncommitted));
     }
     const auto store = std::move(ResultStore::open(path(), JobId{7}, 100, end).value());
     std::uint64_t at = ResultStore::create(folder_ / "empty", JobId{7}, 1)->end();
@@ -222,6 +231,50 @@ TEST_F(ResultStoreTest, AReopenedStoreHasItsCommittedRecords) {
     EXPECT_FALSE(ResultStore::open(path(), JobId{8}, 100, end)) << "of another job";
     EXPECT_FALSE(ResultStore::open(path(), JobId{7}, 100, end + 1000)) << "cut short";
     EXPECT_FALSE(ResultStore::open(folder_ / "none", JobId{7}, 100, end)) << "not there";
+}
+
+TEST_F(ResultStoreTest, BatchesAreWrittenTogetherAndReadInAnyOrder) {
+    constexpr std::uint64_t count = 2000;
+    const auto store = make_store(count);
+    std::vector<ResultBatch> batches(3);
+    for (std::uint64_t i = 0; i < count; ++i) { // Every third is in the same batch.
+        batches[i % 3].add(i, {}, make_record(i, 1 + i % 700));
+    }
+    std::vector<const ResultBatch*> all;
+    for (const ResultBatch& batch : batches) {
+        all.push_back(&batch);
+    }
+    ASSERT_TRUE(store->write(all));
+    store->commit();
+    std::uint64_t next = 0;
+    for (const Bytes& record : records_of(store->read(0, count, 1u << 30).value())) {
+        ASSERT_EQ(record, make_record(next, 1 + next % 700));
+        ++next;
+    }
+    EXPECT_EQ(next, count);
+    std::vector<std::uint64_t> visited;
+    ASSERT_TRUE(store->verify([&](std::uint64_t scenario, std::span<const std::byte> record) {
+        EXPECT_TRUE(std::ranges::equal(record, make_record(scenario, 1 + scenario % 700)));
+        visited.push_back(scenario);
+    }));
+    ASSERT_EQ(visited.size(), count);
+    EXPECT_EQ(visited[1], 3u) << "in the order of the file";
+    EXPECT_EQ(visited.back(), 1997u);
+}
+
+TEST_F(ResultStoreTest, ARecordOfAnotherScenarioIsDamage) {
+    std::uint64_t end = 0;
+    {
+        const auto store = make_store(2);
+        ASSERT_TRUE(add(*store, 0, make_record(0, 10)));
+        ASSERT_TRUE(add(*store, 1, make_record(1, 10)));
+        end = store->end();
+    }
+    const auto store = std::move(ResultStore::open(path(), JobId{7}, 2, end).value());
+    const RecordPlace first = ResultStore::place_at(ResultStore::first_end(), 10);
+    ASSERT_TRUE(store->restore(0, ResultStore::place_at(ResultStore::end_of(first), 10)));
+    EXPECT_FALSE(store->verify());
+    EXPECT_FALSE(store->read(0, 1, 1000));
 }
 
 TEST_F(ResultStoreTest, EveryFlippedByteIsSeenAndNamed) {

@@ -3,6 +3,10 @@
 
 #include "common/job/result/result.hpp"
 
+#include "common/job/result/merge.hpp"
+#include "tests/support/distance_results.hpp"
+#include "tests/support/near_results.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -113,6 +117,29 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
         EXPECT_EQ(decoded.value().failure, result.failure);
         EXPECT_EQ(decoded.value().distance_bound, result.distance_bound);
         EXPECT_EQ(digest_of(result), sha256(bytes));
+    }
+}
+
+TEST(Result, ADecodedResultHasNothingOfTheOneBefore) {
+    std::vector<ScenarioResult> all = examples();
+    for (const auto& others : {distance_results(), near_results(Level::Contacts)}) {
+        all.insert(all.end(), others.begin(), others.end());
+    }
+    for (const ScenarioResult& before : all) {
+        for (const ScenarioResult& result : all) {
+            ScenarioResult used = before;
+            const Bytes bytes = encode_result(result);
+            ASSERT_TRUE(decode_result(bytes, used));
+            EXPECT_EQ(encode_result(used), bytes);
+            EXPECT_EQ(facts_of(used), facts_of(result));
+            EXPECT_EQ(used.failure, result.failure);
+            EXPECT_EQ(used.distance_bound, result.distance_bound);
+            EXPECT_EQ(used.pairs, result.pairs);
+            EXPECT_EQ(used.points, result.points);
+            EXPECT_EQ(used.hits.size() + used.near_distances.size(),
+                      result.hits.size() + result.near_distances.size());
+            EXPECT_FALSE(used.motion);
+        }
     }
 }
 

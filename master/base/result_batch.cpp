@@ -1,0 +1,51 @@
+#include "master/base/result_batch.hpp"
+
+#include "common/core/files/disk_file.hpp"
+
+namespace cd {
+
+std::uint64_t record_footer(std::uint64_t scenario, std::span<const std::byte> record) {
+    return checksum(record) + scenario;
+}
+
+void ResultBatch::reserve(std::size_t results) {
+    rows_.reserve(results);
+    digests_.reserve(results);
+}
+
+void ResultBatch::add(const ScenarioResult& result) {
+    const std::size_t begin = stored_.size();
+    put_result(stored_, result);
+    finish(result.index, facts_of(result), begin);
+}
+
+void ResultBatch::add(std::uint64_t scenario,
+                      const ScenarioFacts& facts,
+                      std::span<const std::byte> record) {
+    const std::size_t begin = stored_.size();
+    put_bytes(stored_, record);
+    finish(scenario, facts, begin);
+}
+
+void ResultBatch::finish(std::uint64_t scenario, const ScenarioFacts& facts, std::size_t begin) {
+    const auto record = std::span(stored()).subspan(begin);
+    rows_.push_back({scenario, record.size(), facts});
+    digests_.push_back(digest_of_record(record));
+    stored_.put(record_footer(scenario, record));
+}
+
+ResultBatch ResultBatch::without(std::span<const std::size_t> places) const {
+    ResultBatch rest;
+    std::size_t place = 0;
+    for_each([&](const ResultRow& row, std::span<const std::byte> record) {
+        if (!places.empty() && places.front() == place) {
+            places = places.subspan(1);
+        } else {
+            rest.add(row.scenario, row.facts, record);
+        }
+        ++place;
+    });
+    return rest;
+}
+
+} // namespace cd
