@@ -1,23 +1,48 @@
 #include "bench/cluster/model/policies.hpp"
 
+#include "bench/cluster/paper/one_by_one.hpp"
 #include "master/dispatch/policy/best_match_pull.hpp"
 #include "master/dispatch/policy/earliest_finish.hpp"
 
 #include <array>
 #include <tuple>
+#include <vector>
 
 namespace cd::bench {
 
 namespace {
 
-class LowestPull final : public BestMatchPull {
+/// Chooses a client's scenarios one after the other: each counts the blocks of those before it as
+/// held. Without the limit V, which the paper's experiments never reach.
+template <Likeness likeness>
+class OneByOnePull final : public BestMatchPull {
   public:
     using BestMatchPull::BestMatchPull;
 
+    [[nodiscard]] std::vector<std::size_t> pulled(const WorkerProxy& proxy,
+                                                  const DispatchJob& job) const override {
+        std::vector<Candidate> candidates;
+        candidates.reserve(job.waiting.size());
+        for (const std::uint64_t position : job.waiting) {
+            candidates.push_back(candidate(proxy, job.at(position).roots));
+        }
+        return choose_one_by_one(candidates, job.options.q, likeness);
+    }
+
   private:
-    [[nodiscard]] std::uint64_t
-    score(const WorkerProxy& proxy, const DispatchJob& job, std::uint64_t position) const override {
-        return ~BestMatchPull::score(proxy, job, position);
+    [[nodiscard]] Candidate candidate(const WorkerProxy& proxy, const ScenarioRoots& roots) const {
+        Candidate candidate;
+        for (const auto& [tree, touched] : roots) {
+            const RootHolders& holders = context().plan.tree(tree).held;
+            for (const auto& [root, triangles] : touched) {
+                if (holders.holds(proxy.slot(), root)) {
+                    candidate.held_triangles += triangles;
+                } else {
+                    candidate.missing.push_back({tree.value << 32U | root, triangles});
+                }
+            }
+        }
+        return candidate;
     }
 };
 
@@ -71,9 +96,9 @@ class BlindEarliestFinish final : public EarliestFinish {
 };
 
 constexpr std::array client_first{
-    RegisteredStrategy{"best-match", make_as<BestMatchPull>},
+    RegisteredStrategy{"best-match", make_as<OneByOnePull<Likeness::Most>>},
     RegisteredStrategy{"random", make_as<RandomPull>},
-    RegisteredStrategy{"lowest", make_as<LowestPull>},
+    RegisteredStrategy{"lowest", make_as<OneByOnePull<Likeness::Least>>},
 };
 constexpr std::array blind{RegisteredStrategy{"earliest-finish", make_as<BlindEarliestFinish>}};
 
