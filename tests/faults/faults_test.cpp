@@ -144,7 +144,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::JobAcceptedTooEarly, "JobAcceptedTooEarly", "accepted that is not on the disk"},
         {Mutation::EndToldTooEarly, "EndToldTooEarly", "hears of an end that is not on the disk"},
         {Mutation::SegmentNotSynced, "SegmentNotSynced", "the master does not start"},
-        {Mutation::GroupNotRecovered, "GroupNotRecovered", "do not have its digest"},
+        {Mutation::GroupNotRecovered, "GroupNotRecovered", "is merged twice"},
         {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is done again after a restart"},
         {Mutation::RecalledLeftAtWorker, "RecalledLeftAtWorker", "known == placed"},
         {Mutation::RecalledIsLost, "RecalledIsLost", "in_ranges[index]"},
