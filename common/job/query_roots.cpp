@@ -22,8 +22,8 @@ double reach_of(const TreeTop& a, const TreeTop& b, const Scenario& scenario, co
                : up_to;
 }
 
-/// Returns pairs that name each root within `reach` of the other body's box; none if that is true
-/// of no root of a body.
+/// Returns pairs in which each root that is within `reach` of the other body's box occurs at least
+/// once. Returns no pairs if a body has no such root.
 Result<CollidingRoots>
 motion_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double reach) {
     const CollidingRoots of_a = CD_TRY(colliding_roots(a, whole_body(b), poses, reach));

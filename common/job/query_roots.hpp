@@ -14,10 +14,10 @@ namespace cd {
 /// query asks for a distance without `up_to` and ignores triangles of the bodies, these are all
 /// pairs of roots, since the triangles that bound the distance may be ignored.
 ///
-/// For a motion, whose bodies have these `radii`, the pairs only name roots: each root that may
-/// come within the clearance of the other body at any time is in at least one pair, and the answer
-/// is found under all pairs of one root of A and one of B that are named. Whoever runs the motion
-/// finds which of these each pose needs (`CutBodies`).
+/// For a motion, the pairs are a list of roots: each root that may come within the clearance of the
+/// other body at any time occurs in at least one pair. Any root of A in the list may meet any root
+/// of B in it; `CutBodies` finds the pairs that a single pose needs. `radii` are those of the
+/// bodies.
 ///
 /// Errors: as `colliding_roots`; BadInput for a motion that is none.
 [[nodiscard]] Result<CollidingRoots> query_roots(const TreeTop& a,

@@ -29,9 +29,8 @@ motion_of(const Scenario& scenario, const Query& query, const BodyRadii& radii);
 /// matter for the answer to a motion, in the job's unit. May be infinite.
 [[nodiscard]] double reach_of_motion(const Motion& motion, const Query& query);
 
-/// Searches a motion of bodies that are whole or cut. Fills the result but for the pairs at the
-/// event, and leaves the search at the poses of the answer (`poses_of_answer`) with the query's
-/// clearance.
+/// Searches a motion of whole or cut bodies. Fills the result except for the pairs at the event.
+/// Leaves the search at the poses of the answer (`poses_of_answer`) with the query's clearance.
 ///
 /// The options of `search` have a clearance. Returns false if `options.stop` ended the run.
 [[nodiscard]] bool find_motion(ContactSearch& search,

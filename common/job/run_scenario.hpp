@@ -42,8 +42,8 @@ struct RunOptions {
     PairDecision decision = PairDecision::Exact;
     // For Question::Motion alone:
     BodyRadii radii = {}; ///< Of the scenario's bodies.
-    /// The bodies of a motion that are cut. The pairs of subtrees then name all roots that the
-    /// motion needs (`query_roots`). Null if the only pair has the whole bodies.
+    /// The cut bodies of a motion; each subtree that the motion needs is in a pair (`query_roots`).
+    /// Null if the bodies are not cut; then the only pair has the whole trees.
     const CutBodies* cut = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Two bodies as a worker holds them: upper trees, and the subtrees of some of their roots.
+// Two cut bodies: their upper trees, and the subtrees of some of their roots.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -10,18 +10,16 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace cd {
 
-/// Finds the pairs of subtrees that one pose of a motion needs, which are few of those that the
-/// whole motion needs.
+/// Finds the pairs of subtrees that one pose of a motion needs. The whole motion needs many more.
 class CutBodies {
   public:
     struct Body {
         const TreeTop& top;
-        /// Returns the subtree of a root. Null for a root that is proven to be out of reach of the
-        /// other body.
+        /// Returns the subtree of a root. Returns null only for a root that is out of reach of the
+        /// other body during the whole motion.
         std::function<const Subtree*(RootIndex)> subtree;
     };
 
@@ -31,9 +29,9 @@ class CutBodies {
     /// Returns the subtrees of a pair of roots; empty if one of them is out of reach.
     [[nodiscard]] std::optional<SubtreePair> subtrees(const RootPair& roots) const;
 
-    /// Calls `visit` for pairs of roots under which all pairs of triangles at most `distance` apart
-    /// in the world lie, each under one, until it returns false. Leaves out roots that are out of
-    /// reach. Returns the number of box pairs that were tested.
+    /// Calls `visit` for pairs of roots until it returns false. Each pair of triangles that is at
+    /// most `distance` apart in the world is under exactly one of these pairs. Skips roots that are
+    /// out of reach. Returns the number of box pairs that were tested.
     std::uint64_t
     visit_within(const PosePair& poses,
                  double distance,

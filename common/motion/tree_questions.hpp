@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// The bodies of a motion: whole trees, or cut ones, which outlive this object.
+/// The bodies of a motion: whole trees or cut ones. The caller keeps them alive.
 using MovingTrees = std::variant<SubtreePair, const CutBodies*>;
 
 class TreeQuestions {
@@ -48,7 +48,7 @@ class TreeQuestions {
     ContactSearch& search_;
     MovingTrees trees_;
     std::optional<double> clearance_;
-    std::optional<RootPair> last_; ///< The roots that answered yes last; they mostly do so again.
+    std::optional<RootPair> last_; ///< The last pair that answered yes; the first one to try.
     QueryStatistics statistics_;
 };
 

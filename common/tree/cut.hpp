@@ -75,7 +75,7 @@ struct CollidingRoots {
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance = 0);
 
-/// Calls `visit` for each pair that `colliding_roots` returns, in another order, until it returns
+/// Calls `visit` for each pair that `colliding_roots` returns, unsorted, until `visit` returns
 /// false. Returns the number of box pairs that were tested.
 std::uint64_t visit_colliding_roots(const TreeTop& a,
                                     const TreeTop& b,

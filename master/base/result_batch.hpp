@@ -1,4 +1,4 @@
-// Results together in one piece of memory, from their check until they are in the job's segment.
+// Results in one block of memory, from the check of a message until they are in the job's segment.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -21,8 +21,8 @@ struct ResultRow {
     friend bool operator==(const ResultRow&, const ResultRow&) = default;
 };
 
-/// Bytes that follow each record in a segment: u64 sum of the record's XXH3 and its scenario. So a
-/// record of another scenario is noticed, too.
+/// Size of the footer after each record in a segment. The footer is the record's XXH3 plus the
+/// scenario's index, as u64, so it also detects the record of another scenario.
 inline constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);
 [[nodiscard]] std::uint64_t record_footer(std::uint64_t scenario,
                                           std::span<const std::byte> record);
@@ -30,7 +30,7 @@ inline constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);
 /// Rows, digests and records of results.
 class ResultBatch {
   public:
-    /// Allocates the rows of so many results.
+    /// Reserves memory for the rows of this many results.
     void reserve(std::size_t results);
     /// Adds a result, and encodes its record.
     void add(const ScenarioResult& result);

@@ -28,8 +28,8 @@ struct RangeCosts {
 /// True if ranges cost less than analysis on the master. The descent of the upper trees costs
 /// equally much in both cases. Analysis adds the time for matching, and idle workers if the master
 /// cannot feed them all. Ranges add the blocks that workers miss without matching, in total at most
-/// the filling of every cache, if the job's trees fit. True at once if no worker misses a block;
-/// false while `missing` is unknown otherwise.
+/// the filling of every cache, if the job's trees fit. True without measurements if no
+/// worker misses a block; otherwise false while `missing` is unknown.
 [[nodiscard]] bool prefers_ranges(const RangeCosts& costs);
 
 } // namespace cd

@@ -315,28 +315,31 @@ std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, Job
     return jobs_folder / (std::to_string(job.value) + ".results");
 }
 
-/// Returns the newest valid row of each scenario, in the order in which they were written.
+/// Returns the newest valid row of each scenario, in the order of the records in the file.
 std::vector<std::size_t> valid_rows(const FoundJob& found) {
     std::vector<std::size_t> valid;
     std::unordered_set<std::uint64_t> seen;
-    // Newest first: of several results of a scenario, only the last is right.
+    // Goes from the newest to the oldest row: of several rows of a scenario only the newest counts.
     for (std::size_t i = found.rows.size(); i-- > 0;) {
         const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
         if (!found.withdrawn[i] && !is_missed && seen.insert(found.rows[i].scenario).second) {
             valid.push_back(i);
         }
     }
-    std::ranges::reverse(valid);
+    // The order of `ResultStore::verify`.
+    std::ranges::sort(valid, {}, [&](std::size_t row) {
+        return std::pair(found.places[row].offset, found.rows[row].scenario);
+    });
     return valid;
 }
 
-/// Merges the rows with the digests of their records, which are checked.
+/// Checks the records of the rows, and merges the rows with the digests of their records.
 Status merge_records(FoundJob& found, std::span<const std::size_t> rows) {
     RecoveredJob& job = found.job;
     auto next = rows.begin();
     return job.results->verify([&](std::uint64_t scenario, std::span<const std::byte> record) {
         const std::size_t row = *next++;
-        CD_CHECK(found.rows[row].scenario == scenario); // Rows are in the order of the file.
+        CD_CHECK(found.rows[row].scenario == scenario);
         if (mutated(Mutation::DoneIsDoneAgain) && !job.end) {
             return;
         }
@@ -348,8 +351,8 @@ Status merge_records(FoundJob& found, std::span<const std::size_t> rows) {
     });
 }
 
-/// Opens the job's segment, and fills the members of `found.job` from the rows. Without `records`
-/// those of an ended job are not read, and its merger has no digests.
+/// Opens the job's segment, and fills the members of `found.job` from the rows. Reads and checks
+/// the records of an ended job only with `records`; otherwise its merger has no digests.
 Status restore(FoundJob& found, const std::filesystem::path& path, bool records) {
     RecoveredJob& job = found.job;
     const std::uint64_t scenarios = job.record.submit.scenarios;

@@ -76,7 +76,7 @@ void Ledger::withdraw(JobId id, std::span<const std::uint64_t> scenarios) {
             entries_.push_back(entry);
             continue;
         }
-        // A withdrawn scenario may be written again, so that it must leave its old entry.
+        // A withdrawn scenario may be written again, so its old entry must not keep it.
         for (std::uint64_t scenario = entry.first; scenario < entry.end(); ++scenario) {
             if (state(id, scenario) != State::Unknown) {
                 entries_.push_back({entry.position, id, scenario, 1});

@@ -40,7 +40,8 @@ bool set_state(ScenarioFacts& facts, std::uint64_t state) {
     return flags <= flags_all;
 }
 
-/// Writes a number for each row, as runs of equal numbers: the number, and the rows of the run - 1.
+/// Writes a number for each row as runs of equal numbers. A run is the number and its length
+/// less 1.
 template <class NumberOf>
 void put_runs(ByteWriter& out, std::span<const ResultRow> rows, const NumberOf& number_of) {
     for (std::size_t i = 0; i < rows.size();) {
@@ -54,7 +55,7 @@ void put_runs(ByteWriter& out, std::span<const ResultRow> rows, const NumberOf& 
     }
 }
 
-/// Reads what `put_runs` wrote. `take` gets each row and its number, and tells whether it is valid.
+/// Reads what `put_runs` wrote. Calls `take` with each row and number; it returns their validity.
 template <class Take>
 bool get_runs(ByteReader& in, std::span<ResultRow> rows, const Take& take) {
     for (std::size_t i = 0; i < rows.size();) {
@@ -72,7 +73,7 @@ bool get_runs(ByteReader& in, std::span<ResultRow> rows, const Take& take) {
     return true;
 }
 
-/// Writes the rows by columns. Numbers of pairs differ from row to row, so they are no runs.
+/// Writes the rows by columns, as runs except for the numbers of pairs, which rarely repeat.
 void put_rows(ByteWriter& out, std::span<const ResultRow> rows) {
     put_varint(out, rows.size());
     for (const ResultRow& row : rows) {

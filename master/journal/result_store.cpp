@@ -43,7 +43,7 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
-/// Reads records of a segment. Reads ahead while one record follows the other in the file.
+/// Reads records of a segment. Reads ahead while the records asked for are consecutive in the file.
 class RecordReader {
   public:
     /// `end`: the committed end of the file.

@@ -22,8 +22,8 @@ enum class Role : std::uint8_t {
     Joiner = 4, ///< Only requests a certificate.
 };
 
-/// The first message on a connection. It begins with version, role and name in each version of the
-/// protocol. If the version differs, the other members are not read.
+/// The first message on a connection. In each version of the protocol it begins with version, role
+/// and name. If the version differs, the other members are not read.
 struct Hello {
     std::uint16_t version = protocol_version;
     Role role = Role::Client;

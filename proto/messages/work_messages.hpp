@@ -90,8 +90,7 @@ struct WorkUnit {
     Bytes scenarios;         ///< `pack_scenarios`; empty: grid positions [first, first + count).
     /// Scenario i has `pairs` [offset i, offset i + 1): count + 1 entries. Empty: not analysed.
     std::vector<std::uint32_t> pair_offsets;
-    /// Colliding pairs of distribution roots; for motions those that name all roots
-    /// (`query_roots`).
+    /// Colliding pairs of distribution roots; for motions a list of roots (`query_roots`).
     std::vector<RootPair> pairs;
 
     [[nodiscard]] bool is_analysed() const { return !pair_offsets.empty(); }

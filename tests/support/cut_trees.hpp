@@ -1,4 +1,4 @@
-// Two trees cut as for workers.
+// Two trees, cut into subtrees as workers receive them.
 #pragma once
 
 #include "common/motion/cut_bodies.hpp"
@@ -19,7 +19,7 @@ class CutTrees {
              SubtreeForm form = SubtreeForm::Wide)
         : a_(cut(a, depth, form)), b_(cut(b, depth, form)) {}
 
-    /// Valid as long as these trees.
+    /// The result is valid while this object lives.
     [[nodiscard]] CutBodies bodies() const { return {body_of(a_), body_of(b_)}; }
     [[nodiscard]] std::uint64_t pair_count() const { return a_.parts.size() * b_.parts.size(); }
 

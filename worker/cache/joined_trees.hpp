@@ -1,4 +1,4 @@
-// Wide trees of whole bodies, joined of cached blocks.
+// Wide trees of whole bodies that a worker makes of cached blocks.
 #pragma once
 
 #include "common/tree/partial_tree.hpp"
@@ -12,10 +12,9 @@
 
 namespace cd {
 
-/// Joins a tree once many descents have found all of its blocks cached, and later adds support
-/// points. A descent takes about `timing::walk_seconds`, so a step begins when about as much work
-/// has been done on the tree as the step takes. A joined tree is valid for one snapshot of the
-/// blocks (`SubtreeCache::snapshot`). Not thread-safe.
+/// Joins the blocks of a tree after many descents of it with all blocks cached, and adds support
+/// points after many more, so that short jobs do not pay for either. A joined tree is valid for one
+/// snapshot of the blocks (`SubtreeCache::snapshot`). Not thread-safe.
 class JoinedTrees {
   public:
     using Blocks = std::shared_ptr<const PartialObbTree>;
@@ -24,18 +23,18 @@ class JoinedTrees {
     /// The work of joining the blocks of a tree, or of adding support points to the joined tree.
     struct Step {
         TreeId tree;
-        Blocks blocks; ///< All of the tree's, of the wide form.
-        Joined joined; ///< Null: to be made.
+        Blocks blocks; ///< All blocks of the tree, in the wide form.
+        Joined joined; ///< The tree that gets support points; null if the blocks are to be joined.
 
-        /// Returns the new joined tree. Takes some milliseconds, and for support points half a
-        /// second for a million triangles. Any thread may call it.
+        /// Returns the new joined tree. Support points take about half a second for a million
+        /// triangles. Any thread may call it.
         [[nodiscard]] Joined run() const;
     };
 
-    /// Counts a descent of a tree with these blocks. Returns the next step if it is due, and its
-    /// tree takes at most about `room` bytes. No further one is due until `end`.
+    /// Counts a descent of a tree with these blocks. Returns the next step if it is due and the
+    /// joined tree fits into about `room` bytes. Returns no other step before `end`.
     [[nodiscard]] std::optional<Step> count(TreeId tree, const Blocks& blocks, std::uint64_t room);
-    /// Ends a step. Keeps its tree unless the blocks have changed since.
+    /// Ends a step. Stores the joined tree unless the blocks have changed in the meantime.
     void end(const Step& step, Joined joined);
     /// The joined tree of these blocks; null if there is none.
     [[nodiscard]] Joined find(TreeId tree, const Blocks& blocks) const;
@@ -52,7 +51,7 @@ class JoinedTrees {
         Joined joined;             ///< Null before the first step has ended.
     };
 
-    /// Returns the entry of a tree, which is a new one if the blocks have changed.
+    /// Returns the entry of a tree, and replaces it by a new one if the blocks have changed.
     Entry& entry_of(TreeId tree, const Blocks& blocks);
 
     std::map<TreeId, Entry> entries_;

@@ -1,4 +1,4 @@
-// The searches of joined trees that a job's descents use one after the other.
+// Searches of joined trees, which the descents of a job reuse.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -14,8 +14,8 @@
 
 namespace cd {
 
-/// The search of two joined trees. The first use of a search reads the trees, and further ones
-/// expect the answers of neighbouring poses again, so it is kept for further descents.
+/// The search of two joined trees. Reuse saves its setup, which reads all nodes, and lets it expect
+/// the answers of neighbouring poses.
 class JoinedSearch {
   public:
     using Tree = std::shared_ptr<const WideTree>;
@@ -24,10 +24,11 @@ class JoinedSearch {
     JoinedSearch(const JoinedSearch&) = delete;
     JoinedSearch& operator=(const JoinedSearch&) = delete;
 
-    /// Runs a scenario of the trees' bodies; all calls share the query. The caller keeps the trees.
+    /// Runs a scenario of the trees' bodies. All calls have the same query. The caller keeps the
+    /// trees alive.
     [[nodiscard]] ScenarioRun
     run(const Scenario& scenario, const Query& query, const RunOptions& options);
-    /// Whether this searches these trees. The trees of a search may be gone.
+    /// Whether this is the search of these trees.
     [[nodiscard]] bool is_of(const Tree& a, const Tree& b) const {
         return trees_.first.lock() == a && trees_.second.lock() == b;
     }
@@ -38,22 +39,23 @@ class JoinedSearch {
   private:
     std::pair<std::weak_ptr<const WideTree>, std::weak_ptr<const WideTree>> trees_;
     KeptSearch kept_;
-    StopCheck stop_; ///< That of the running scenario: the kept search has the first one's options.
+    StopCheck
+        stop_; ///< Stops the current run. `kept_` calls it through the options of its first run.
 };
 
-/// Searches that no descent uses now. Any thread may call the members.
+/// The searches that no descent uses at the moment. Thread-safe.
 class JoinedSearches {
   public:
     using Tree = JoinedSearch::Tree;
 
-    /// Returns the search of two trees that was given back last, or a new one.
+    /// Returns the most recently returned search of two trees, or a new one.
     [[nodiscard]] std::unique_ptr<JoinedSearch> take(const Tree& a, const Tree& b);
-    /// Keeps a search. Drops those whose trees are gone, and of too many the one kept longest.
+    /// Keeps a search. Drops searches of released trees, and the oldest one above the limit.
     void give_back(std::unique_ptr<JoinedSearch> search);
 
   private:
     std::mutex mutex_;
-    std::vector<std::unique_ptr<JoinedSearch>> kept_; ///< The one given back last comes last.
+    std::vector<std::unique_ptr<JoinedSearch>> kept_; ///< Most recent last.
 };
 
 } // namespace cd

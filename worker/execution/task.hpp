@@ -38,14 +38,14 @@ class Task {
 
     // ---- Scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs now, ascending: those of its pairs, and both
-    /// upper trees if it walks again.
+    /// upper trees if it needs a descent.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
     /// Whether a scenario needs a descent once `roots_of(scenario)` are cached
     /// (`Walked::Waiting`).
     [[nodiscard]] bool walks_again(std::size_t scenario) const {
         return pairs_.walks_again(scenario);
     }
-    /// Returns the descent of a scenario that walks again.
+    /// Returns the descent of a scenario that needs one (`walks_again`).
     [[nodiscard]] Walk walk_of(std::size_t scenario, SubtreeCache& cache) const;
     /// Collects the data of a scenario for a thread. Requires `roots_of(scenario)` to be cached.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;

@@ -54,7 +54,7 @@ class Walker {
         if (touching_ && gather({&*touching_, 1})) {
             const ScenarioRun run = run_on_pairs(scenario, options);
             if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
-                return add(run, 1);
+                return add(run, 1, 1);
             }
             walked_.finished.statistics += run.statistics;
         }
@@ -117,20 +117,20 @@ class Walker {
                 joined == walk_.joined.end() ? nullptr : joined->second};
     }
 
-    /// Returns whether the trees can never have too many colliding roots, which would be a failure
-    /// whatever the whole trees would answer.
+    /// Returns whether the trees have too few roots for the failure of too many colliding pairs,
+    /// which must not depend on whether a worker has joined the trees.
     [[nodiscard]] bool never_has_too_many_pairs() const {
         const std::uint64_t pairs = std::uint64_t{a_.tree->root_count()} * b_.tree->root_count();
         return pairs <= limits::root_pairs_max;
     }
 
-    /// Runs a scenario on the joined trees, which needs no descent of the upper trees. Returns
-    /// false if stopped.
+    /// Runs a scenario on the joined trees, without a descent of the upper trees. Returns false if
+    /// stopped.
     bool run_on_joined(const Scenario& scenario, RunOptions options) {
         walked_.found += a_.tree->root_count() + (a_.id == b_.id ? 0 : b_.tree->root_count());
         options.radii = radii_of(walk_.job->radii, scenario);
-        pairs_.resize(1); // The whole bodies count as a pair of roots.
-        return add(joined_->run(scenario, walk_.job->query, options), pairs_.size());
+        // The whole bodies count as one pair of roots.
+        return add(joined_->run(scenario, walk_.job->query, options), 1, 1);
     }
 
     /// Returns whether a contact below one pair of roots is the whole answer.
@@ -183,7 +183,7 @@ class Walker {
         gather(held);
         const ScenarioRun run = run_on_gathered(held, scenario, options);
         if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
-            return add(run, named);
+            return add(run, named, pairs_.size());
         }
         walked_.finished.statistics += run.statistics;
         const auto& found = run.result.nearest;
@@ -210,7 +210,7 @@ class Walker {
             walked_.waiting.push_back({which, std::move(pairs), is_motion, named});
             return true;
         }
-        return add(run_on_gathered(pairs, scenario, options), named);
+        return add(run_on_gathered(pairs, scenario, options), named, pairs_.size());
     }
 
     /// Runs a scenario on `pairs`, which are gathered, and notes the pair that touches.
@@ -233,15 +233,15 @@ class Walker {
         return run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
     }
 
-    /// Adds a scenario's result, which has taken the pairs gathered of the `named`. Returns false
+    /// Adds a scenario's result, which has used `used` of the `named` pairs of roots. Returns false
     /// if stopped.
-    bool add(const ScenarioRun& run, std::size_t named) {
+    bool add(const ScenarioRun& run, std::size_t named, std::size_t used) {
         if (run.is_stopped) {
             return false;
         }
         walked_.finished.add(encode_result(run.result));
         walked_.finished.statistics += run.statistics;
-        walked_.finished.count_roots(walk_.job->query, named, pairs_.size());
+        walked_.finished.count_roots(walk_.job->query, named, used);
         map_.add(run.result, run.found);
         return true;
     }

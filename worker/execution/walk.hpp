@@ -1,7 +1,7 @@
 // Runs part of a scenario range on one thread: finds the colliding roots of each scenario, and
 // tests at once the scenarios whose subtrees are all cached. A distance needs the subtrees of its
-// nearest roots first, and then those of the roots that may be nearer than what was found. A motion
-// finds anew for each of its poses which pairs of roots collide.
+// nearest roots first, and then those of the roots that may be nearer than what was found. For a
+// motion, the colliding roots are found again for each of its poses.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -74,8 +74,8 @@ struct Walked {
     struct Waiting {
         std::size_t scenario = 0;    ///< Position in the task.
         std::vector<RootPair> pairs; ///< Those whose subtrees it needs now.
-        /// Whether a further descent answers the scenario: of a motion, or of a distance of which
-        /// `pairs` are only the nearest ones (`first_look`); it may then need further subtrees.
+        /// Whether the scenario needs another descent once its subtrees are cached: a motion always
+        /// does, and a distance whose `pairs` are only the nearest ones (`first_look`).
         bool walks_again = false;
         std::size_t named = 0; ///< Number of pairs that may have its answer, at least `pairs`.
     };

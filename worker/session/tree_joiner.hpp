@@ -1,4 +1,4 @@
-// Joins the blocks of trees that a session's descents use, on its threads.
+// Joins the blocks of the trees that a session's descents use, on the worker's threads.
 #pragma once
 
 #include "worker/cache/joined_trees.hpp"
@@ -10,10 +10,10 @@ namespace cd {
 
 class TreeJoiner {
   public:
-    /// Both outlive this object. Joined trees take the room that the cache leaves of its limit.
+    /// Both arguments outlive this object. Joined trees use the memory that the cache does not.
     TreeJoiner(SessionHub& hub, const SubtreeCache& cache) : hub_(hub), cache_(cache) {}
 
-    /// Gives a descent the joined trees that there are, and starts the steps that are due.
+    /// Passes the existing joined trees to a descent, and starts the steps that are due.
     void prepare(Walk& walk);
 
   private:

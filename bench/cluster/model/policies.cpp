@@ -12,8 +12,8 @@ namespace cd::bench {
 
 namespace {
 
-/// Chooses a client's scenarios one after the other: each counts the blocks of those before it as
-/// held. Without the limit V, which the paper's experiments never reach.
+/// Chooses a client's scenarios one at a time. Each choice counts the blocks of the scenarios
+/// chosen before it as held. Ignores the limit V, which the paper's experiments never reach.
 template <Likeness likeness>
 class OneByOnePull final : public BestMatchPull {
   public:

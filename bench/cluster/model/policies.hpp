@@ -12,9 +12,9 @@ namespace cd::bench {
 /// no other.
 enum class Variation : std::uint8_t {
     None,
-    /// The paper's section 5.1: a free worker takes q waiting scenarios, one after the other
-    /// (one_by_one.hpp). `best-match`: those of which it holds most; `random`: any; `lowest`: those
-    /// of which it holds least.
+    /// The paper's section 5.1: a free worker takes q waiting scenarios, one at a time
+    /// (one_by_one.hpp). `best-match` takes those of which it holds most, `lowest` those of which
+    /// it holds least, `random` any.
     ClientFirst,
     /// `earliest-finish` that does not see where blocks are.
     Blind,

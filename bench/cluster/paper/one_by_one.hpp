@@ -1,4 +1,4 @@
-// The paper's choice of q scenarios for a free client (5.1), one after the other.
+// Selects q scenarios for a free client (paper, section 5.1), one at a time.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace cd::bench {
 
-/// A block that the client lacks.
+/// A block that the client does not hold.
 struct MissingBlock {
     std::uint64_t block = 0; ///< Number of the block among those of all bodies.
     std::uint32_t triangles = 0;
 };
 
-/// A waiting scenario as the client sees it.
+/// A waiting scenario: what the client holds and misses of it.
 struct Candidate {
-    std::uint64_t held_triangles = 0; ///< Triangles of the touched blocks that the client holds.
+    std::uint64_t held_triangles = 0; ///< Triangles in those of its blocks that the client holds.
     std::vector<MissingBlock> missing;
 };
 

@@ -12,11 +12,11 @@ inline constexpr std::size_t walk_scenarios_max = 256; ///< Scenarios that one d
 /// Number of scenarios that wait for subtrees or threads. With more, the worker begins no further
 /// descent of the upper trees.
 inline constexpr std::size_t walked_waiting_max = 4096;
-/// Descents of a tree with all its blocks, of about a millisecond each, before a worker joins them,
-/// and before it makes support points.
+/// Number of descents, of about a millisecond each, after which a worker joins the blocks of a tree
+/// of which it holds all, and after which it adds support points.
 inline constexpr std::uint32_t join_descents_min = 30;
 inline constexpr std::uint32_t points_descents_min = 1500;
-/// Searches of joined trees that a job keeps for further descents.
+/// Number of searches of joined trees that a job keeps for further descents.
 inline constexpr std::size_t joined_searches_max = 64;
 /// Estimated memory of a binary subtree per triangle.
 inline constexpr std::uint64_t binary_bytes_per_triangle = 128;

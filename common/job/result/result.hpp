@@ -132,8 +132,8 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
 /// counts that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
-/// Decodes a record into `result`, whose earlier content is lost, and whose memory is used again.
-/// After an error the content is meaningless.
+/// Decodes a record into `result`. Overwrites its content and reuses its memory. After an error the
+/// content is meaningless.
 [[nodiscard]] Status decode_result(std::span<const std::byte> bytes, ScenarioResult& result);
 
 /// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs. The

@@ -1,7 +1,6 @@
-// The lines of a grid that are in a triangle's box are some columns times some rows. Most triangles
-// of a fine mesh have few: their pairs are listed without a branch and decided one by one, the
-// turns of a pair in one vector. Other triangles are decided row by row, a vector of lines at a
-// time.
+// A triangle's bounding box holds a rectangle of the grid's lines. Most triangles of a fine mesh
+// have few lines: the kernel lists their pairs without branches, then decides each pair with all
+// three edges in one vector. It decides other triangles row by row, a vector of lines at a time.
 #include "common/shots/bundle/bundle_grid_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -30,16 +29,17 @@ using bundle::Marks;
 using bundle::Target;
 using bundle::V;
 
-/// Triangles of at most so many columns and rows have few lines.
+/// A triangle has few lines if its box holds at most this many columns and rows.
 constexpr std::uint32_t few = 4;
 
-/// Columns or rows that follow each other.
+/// A range of columns or rows.
 struct Span {
     std::uint32_t first;
     std::uint32_t count;
 };
 
-/// Returns the columns or rows whose coordinates a triangle's box holds. Each bin has one.
+/// Returns the range of columns or rows whose coordinates are in a triangle's box. Each bin of a
+/// grid has one column or row.
 HWY_INLINE Span span_of(const BlockAcross& placed,
                         const BundleAcross& bundle,
                         std::size_t which,
@@ -82,7 +82,7 @@ struct Pairs {
 
     std::uint32_t count = 0;
     std::uint32_t end_of[block_size]; ///< The end of each triangle's pairs.
-    std::uint32_t lines[most + few];  ///< A row is written as a whole, so that it may end behind.
+    std::uint32_t lines[most + few];  ///< Writes go in groups of `few`, so they may pass `count`.
     std::uint8_t triangles[most + few];
 
     HWY_INLINE Pairs(const BlockAcross& placed, const Spans& spans, std::uint32_t columns) {
@@ -95,8 +95,8 @@ struct Pairs {
     }
 
   private:
-    /// Adds the pairs of a triangle. The number of its rows is hard to predict, and asked for by
-    /// no branch.
+    /// Adds the pairs of a triangle. Has no branch on the number of rows, which a processor cannot
+    /// predict.
     HWY_INLINE void add(std::uint32_t triangle, Span column, Span row, std::uint32_t columns) {
         std::uint32_t line = row.first * columns + column.first;
         for (std::uint32_t i = 0; i < few; ++i) {
@@ -110,8 +110,8 @@ struct Pairs {
     }
 };
 
-/// A triangle's corners across the lines, where each edge begins and ends; the fourth edge is the
-/// first one again.
+/// The end points of a triangle's edges, projected along the lines. The fourth edge repeats the
+/// first one.
 struct Edges {
     alignas(32) double from_x[4];
     alignas(32) double from_y[4];
@@ -130,7 +130,7 @@ struct Edges {
     }
 };
 
-/// Bit masks of a triangle's edges that turn left or right around a line, beyond the bound.
+/// For each edge of a triangle one bit: whether it certainly turns left, or right, around a line.
 struct EdgeSigns {
     std::uint32_t left = 0;
     std::uint32_t right = 0;
@@ -198,8 +198,8 @@ void mark_few(const BlockAcross& placed,
     }
 }
 
-/// Adds lines that follow each other to those that pass, without a branch where lanes are few and
-/// a table of their orders would be in the way.
+/// Appends the selected lines of a vector of consecutive lines to those that pass. With few lanes
+/// a loop without branches is faster than CompressBits, which reads a table.
 HWY_INLINE void add_passing(std::uint32_t which, std::uint32_t first, MarkedPairs& to) {
     if constexpr (lanes <= 4) {
         for (std::uint32_t i = 0; i < lanes; ++i) {

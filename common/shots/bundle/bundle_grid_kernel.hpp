@@ -1,5 +1,4 @@
-// SIMD kernel of BundleSearch for the pairs of triangles and lines of a grid, compiled for every
-// target; plain values in and out.
+// SIMD kernel of BundleSearch for grids of lines: decides pairs of triangles and lines.
 #pragma once
 
 #include "common/shots/bundle/bundle_marks_kernel.hpp"
@@ -8,8 +7,8 @@
 
 namespace cd {
 
-/// Does what `mark_pairs` does, for the lines of a grid (`ParallelLines::is_grid`). Only lines in
-/// a triangle's box across are looked at: the others are apart from it.
+/// Does what `mark_pairs` does, for the lines of a grid (`ParallelLines::is_grid`). Tests only
+/// lines in the triangle's projected box, since the others cannot meet it.
 [[nodiscard]] bool mark_grid_pairs(const BlockAcross& placed,
                                    const BundleAcross& bundle,
                                    const LineRows& lines,

@@ -139,7 +139,7 @@ void ParallelLines::sort_into_bins() {
 
 void ParallelLines::note_steps() {
     const std::array<double, 2> middle = this->middle();
-    // One line a bin: the line of each bin has the bin's number.
+    // In a grid each bin has exactly one line, so the line and its bin have the same number.
     is_grid_ = std::ranges::adjacent_find(begins_, [](std::uint32_t begin, std::uint32_t end) {
                    return end - begin != 1;
                }) == begins_.end();

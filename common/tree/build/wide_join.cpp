@@ -22,8 +22,8 @@ float surface(const ObbNode& node) {
 }
 
 /// Returns the nodes of the upper tree that become the children of an inner node, from left to
-/// right: repeatedly the inner one with the largest surface is replaced by its own children, since
-/// a search visits a node about in proportion to its surface.
+/// right. Repeatedly replaces the inner node with the largest surface by its own children, since a
+/// search visits a node about in proportion to its surface.
 std::vector<std::uint32_t> children_of(const TreeTop& top, std::uint32_t node) {
     std::vector<std::uint32_t> children{node + 1, top.nodes[node].right};
     const auto opens = [&](std::uint32_t child) {
@@ -112,9 +112,9 @@ class Joiner {
     }
 
   private:
-    /// Gives a place to each node above the roots, and to the roots, which are children of these.
+    /// Assigns places in the joined tree to the nodes above the roots and to the roots.
     void place_upper_nodes();
-    /// Appends a subtree, whose root has a place already.
+    /// Appends the nodes and triangles of a subtree, and puts its root in the root's place.
     void add_subtree(RootIndex root, bool is_double);
 
     const TreeTop& top_;
@@ -156,7 +156,7 @@ void Joiner::add_subtree(RootIndex root, bool is_double) {
     std::vector<WideNode>& nodes = arrays_->nodes;
     const WideView& subtree = subtrees_[root];
     const auto blocks = static_cast<std::uint32_t>(arrays_->vertex_begin.size() - 1);
-    // The subtree's root, number 0, has a place already, and number 1 is appended first.
+    // Node i > 0 of the subtree moves to `others` + i; node 0 moves to the root's place.
     const auto others = static_cast<std::uint32_t>(nodes.size()) - 1;
     const auto moved = [&](WideNode node) {
         node.first += node.is_leaf ? blocks : others;

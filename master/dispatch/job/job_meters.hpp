@@ -26,10 +26,11 @@ class RangePace {
     std::unordered_map<WorkerId, LearnedRate> of_workers_;
 };
 
-/// An average over scenarios, of which recent ones count more.
+/// A weighted average over scenarios: recent ones count more. Unlike `LearnedRate`, it counts
+/// zeros.
 class ScenarioAverage {
   public:
-    /// Adds the sum over so many scenarios, which may be 0.
+    /// Adds `scenarios` scenarios, whose values have this sum.
     void add(double sum, double scenarios);
     [[nodiscard]] std::optional<double> value() const;
 

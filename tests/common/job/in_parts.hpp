@@ -28,7 +28,7 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
     return parts;
 }
 
-/// Returns a function that gives the parts of these roots alone.
+/// Returns a function that returns the part of a named root, and null for other roots.
 [[nodiscard]] inline std::function<const Subtree*(RootIndex)>
 named_parts(const std::vector<Subtree>& parts, std::vector<RootIndex> named) {
     return [&parts, named = std::move(named)](RootIndex root) {

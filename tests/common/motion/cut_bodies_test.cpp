@@ -1,5 +1,5 @@
-// Proves that the pairs of subtrees of a pose hold all pairs of triangles within the distance, each
-// once, and that they are few if the bodies are near each other in few places.
+// Proves that the pairs of subtrees found for a pose contain each pair of triangles within the
+// distance exactly once, and that they are few if the bodies are near each other in few places.
 #include "common/motion/cut_bodies.hpp"
 
 #include "common/search/contact_search.hpp"

@@ -1,5 +1,5 @@
-// Proves that trees are joined once descents have found all of their blocks cached, get support
-// points later, need room, and are valid for one set of blocks.
+// Proves that trees with all blocks cached are joined after enough descents and get support points
+// later, that this needs room, and that a joined tree is valid for one set of blocks.
 #include "worker/cache/joined_trees.hpp"
 
 #include "common/core/limits/worker.hpp"

@@ -1,5 +1,5 @@
-// Proves that the search of two joined trees is used again, that it ends by the stop of the run
-// that uses it, and that a search whose trees are gone is not.
+// Proves that descents reuse the search of two joined trees, that the stop of the current run ends
+// it, and that searches of released trees are dropped.
 #include "worker/execution/joined_searches.hpp"
 
 #include "common/core/limits/worker.hpp"

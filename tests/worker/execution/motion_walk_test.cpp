@@ -1,5 +1,5 @@
-// Proves that a descent asks for the subtrees of a motion once, and that the record is that of the
-// whole bodies when only those subtrees are cached.
+// Proves that a descent requests the subtrees of a motion once, and that with only these subtrees
+// cached the record equals that of the whole bodies.
 #include "common/job/query_roots.hpp"
 #include "common/job/run_motion.hpp"
 #include "common/job/run_scenario.hpp"

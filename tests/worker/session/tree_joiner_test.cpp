@@ -1,4 +1,4 @@
-// Proves that descents get the joined trees that a thread makes, as long as the cache leaves room.
+// Proves that descents receive joined trees once a thread has made them, if the cache leaves room.
 #include "worker/session/tree_joiner.hpp"
 
 #include "common/core/limits/worker.hpp"

@@ -1,5 +1,5 @@
-// Proves that a joined tree is a sound wide tree of the whole body, at every depth of the cut, and
-// that searches of it have the answers of the whole tree.
+// Proves for cuts at several depths that a joined tree is a valid wide tree with all triangles, and
+// that searches of it find the same pairs as searches of the body's own tree.
 #include "common/tree/build/wide_join.hpp"
 
 #include "common/search/contact_search.hpp"
