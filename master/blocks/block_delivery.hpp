@@ -76,7 +76,7 @@ class BlockDelivery {
     /// Empty if the worker serves no peers.
     [[nodiscard]] std::optional<PeerPort> peer_port_of(WorkerId worker) const;
     /// Blocks that a connected worker has reported as held. Empty if it serves no peers.
-    [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
+    [[nodiscard]] const BlockIndex::Blocks& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }
     /// Aborts if an invariant is broken. For tests; call it after each event.

@@ -23,7 +23,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
         return {};
     }
     Event event{now, {}, {}, {}};
-    for (const BlockKey& block : std::set<BlockKey>(found->holds)) {
+    for (const BlockKey& block : BlockIndex::Blocks(found->holds)) {
         lose_hold(worker, block, event);
     }
     const auto comes = found->comes;
@@ -205,7 +205,7 @@ BlockDirector::first_source(const BlockIndex::Block& block,
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
     std::size_t looked_at = 0;
-    const std::set<WorkerId>& free = index_.free();
+    const BlockIndex::Workers& free = index_.free();
     for (const WorkerId source : free.size() < block.holders.size() ? free : block.holders) {
         if (!free.contains(source) || given.contains(source) || !may_give(source)) {
             continue;

@@ -79,7 +79,7 @@ class BlockDirector {
     [[nodiscard]] std::size_t open() const;
     /// Blocks that a worker has reported as held. The worker must have joined. Empty if it does not
     /// serve peers.
-    [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
+    [[nodiscard]] const BlockIndex::Blocks& held_by(WorkerId worker) const {
         return index_.at(worker).holds;
     }
     /// Returns whether the worker must not be named as a source any more.

@@ -92,12 +92,8 @@ void BlockIndex::add_hold(WorkerId worker, const BlockKey& block) {
     if (!peer.serves) {
         return;
     }
-    Block& held = blocks_[block];
     peer.holds.insert(block);
-    held.holders.insert(worker);
-    if (!held.awaited_by.empty()) {
-        peer.could_give.insert(block);
-    }
+    blocks_[block].holders.insert(worker);
 }
 
 bool BlockIndex::lose_hold(WorkerId worker, const BlockKey& block) {
@@ -105,7 +101,6 @@ bool BlockIndex::lose_hold(WorkerId worker, const BlockKey& block) {
     if (peer == peers_.end() || peer->second.holds.erase(block) == 0) {
         return false;
     }
-    peer->second.could_give.erase(block);
     blocks_.at(block).holders.erase(worker);
     return true;
 }
@@ -118,12 +113,8 @@ void BlockIndex::wait(WorkerId worker, const BlockKey& block, Time now) {
     }
     peer.waits_for.emplace(block, now);
     Block& awaited = blocks_.at(block);
-    if (awaited.awaited_by.empty()) {
-        for (const WorkerId holder : awaited.holders) {
-            peers_.at(holder).could_give.insert(block);
-        }
-    }
     awaited.awaited_by.emplace(peer.place, worker);
+    awaited_.insert(block);
 }
 
 void BlockIndex::stop_waiting(WorkerId worker, const BlockKey& block) {
@@ -134,9 +125,7 @@ void BlockIndex::stop_waiting(WorkerId worker, const BlockKey& block) {
     Block& awaited = blocks_.at(block);
     awaited.awaited_by.erase(peer.place);
     if (awaited.awaited_by.empty()) {
-        for (const WorkerId holder : awaited.holders) {
-            peers_.at(holder).could_give.erase(block);
-        }
+        awaited_.erase(block);
     }
     if (peer.waits_for.empty()) {
         line_.erase(peer.place);
@@ -163,7 +152,12 @@ std::optional<BlockIndex::FetchId> BlockIndex::stop_sending(WorkerId worker,
 
 WorkerId BlockIndex::next_for(WorkerId source) const {
     std::pair<PlaceInLine, WorkerId> first{};
-    for (const BlockKey& block : peers_.at(source).could_give) {
+    const Blocks& holds = peers_.at(source).holds;
+    const bool are_few = awaited_.size() < holds.size();
+    for (const BlockKey& block : are_few ? awaited_ : holds) {
+        if (!(are_few ? holds : awaited_).contains(block)) {
+            continue;
+        }
         for (const auto& [place, worker] : blocks_.at(block).awaited_by) {
             if (first.first != 0 && first.first <= place) {
                 break;
@@ -196,15 +190,13 @@ void BlockIndex::check_invariants() const {
             CD_CHECK(blocks_.at(block).awaited_by.at(peer.place) == worker);
         }
         for (const BlockKey& block : peer.holds) {
-            const Block& held = blocks_.at(block);
-            CD_CHECK(held.holders.contains(worker));
-            CD_CHECK(held.awaited_by.empty() != peer.could_give.contains(block));
+            CD_CHECK(blocks_.at(block).holders.contains(worker));
         }
-        CD_CHECK(std::ranges::includes(peer.holds, peer.could_give));
     }
     for (const auto& [block, state] : blocks_) {
         on_the_way -= state.on_the_way_to.size();
         awaited -= state.awaited_by.size();
+        CD_CHECK(awaited_.contains(block) != state.awaited_by.empty());
     }
     CD_CHECK(on_the_way == 0);
     CD_CHECK(awaited == 0);

@@ -7,6 +7,8 @@
 #include "common/tree/cut.hpp"
 #include "proto/messages/work_messages.hpp"
 
+#include <boost/container/flat_set.hpp>
+
 #include <chrono>
 #include <compare>
 #include <cstddef>
@@ -30,7 +32,11 @@ struct BlockKey {
 class BlockIndex {
   public:
     using Time = std::chrono::steady_clock::time_point;
-    using FetchId = std::uint64_t;     ///< 0: the master sends the block.
+    using FetchId = std::uint64_t; ///< 0: the master sends the block.
+    /// Sorted in an array: an event of a large cluster looks many workers up, which in a tree of
+    /// nodes takes several times as long.
+    using Workers = boost::container::flat_set<WorkerId>;
+    using Blocks = boost::container::flat_set<BlockKey>;
     using PlaceInLine = std::uint64_t; ///< A waiting worker's position in the queue.
 
     struct Peer {
@@ -38,15 +44,14 @@ class BlockIndex {
         bool is_avoided = false;            ///< This worker must not be named as a source any more.
         std::set<WorkerId> cannot_reach_it; ///< Workers that could not connect to this one.
         std::size_t uploads = 0;            ///< Fetches for which this worker is the first source.
-        std::set<BlockKey> holds;
-        std::set<BlockKey> could_give;      ///< Held blocks that some worker waits for.
+        Blocks holds;
         std::map<BlockKey, Time> waits_for; ///< Awaited blocks, with the start of each wait.
         PlaceInLine place = 0;              ///< Valid while this worker waits for a block.
         std::map<BlockKey, FetchId> comes;  ///< Blocks under way to this worker.
     };
     struct Block {
-        std::set<WorkerId> holders;                 ///< Only workers that serve peers.
-        std::set<WorkerId> on_the_way_to;           ///< Workers that are being sent the block.
+        Workers holders;                            ///< Only workers that serve peers.
+        Workers on_the_way_to;                      ///< Workers that are being sent the block.
         std::map<PlaceInLine, WorkerId> awaited_by; ///< Workers that wait for the block.
     };
 
@@ -64,7 +69,7 @@ class BlockIndex {
     /// True if some peer that holds the block, or soon will, can give it to the worker later.
     [[nodiscard]] bool is_worth_waiting(const Block& block, WorkerId worker) const;
     /// Sources with a free upload slot.
-    [[nodiscard]] const std::set<WorkerId>& free() const { return free_; }
+    [[nodiscard]] const Workers& free() const { return free_; }
     void add_upload(WorkerId source);
     void remove_upload(WorkerId source);
     /// Records that worker `by` cannot reach the source. Avoids a source once
@@ -111,7 +116,8 @@ class BlockIndex {
     PlaceInLine place_last_ = 0;
     std::size_t servers_ = 0; ///< Number of workers that serve peers.
     std::map<PlaceInLine, WorkerId> line_;
-    std::set<WorkerId> free_;
+    Blocks awaited_; ///< Blocks that some worker waits for.
+    Workers free_;
 };
 
 } // namespace cd

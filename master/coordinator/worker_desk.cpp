@@ -232,11 +232,11 @@ void WorkerDesk::came(WorkerId id, const Holding& holding) {
     }
 }
 
-std::set<BlockKey> WorkerDesk::blocks_held_by(WorkerId worker) const {
+BlockIndex::Blocks WorkerDesk::blocks_held_by(WorkerId worker) const {
     const auto known = state_.workers.all().find(worker);
     const bool is_known = known != state_.workers.all().end() && known->second.is_settled &&
                           !known->second.is_quarantined && known->second.channel->is_open();
-    return is_known ? state_.blocks.held_by(worker) : std::set<BlockKey>{};
+    return is_known ? state_.blocks.held_by(worker) : BlockIndex::Blocks{};
 }
 
 // ---- Tasks -------------------------------------------------------------------------------------

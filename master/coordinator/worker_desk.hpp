@@ -61,7 +61,7 @@ class WorkerDesk : public WorkerEvents {
     [[nodiscard]] bool is_watching() const { return is_watching_; }
     /// Blocks that other workers may fetch from this worker. Empty if it is disconnected or has not
     /// sent its inventory. For tests; call it between two events.
-    [[nodiscard]] std::set<BlockKey> blocks_held_by(WorkerId worker) const;
+    [[nodiscard]] BlockIndex::Blocks blocks_held_by(WorkerId worker) const;
 
   private:
     void watch();

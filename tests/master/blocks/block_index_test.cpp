@@ -31,7 +31,7 @@ class BlockIndices : public testing::Test {
 TEST_F(BlockIndices, OnlyAWorkerThatServesPeersIsAHolder) {
     index_.add_hold(one, red);
     index_.add_hold(deaf, red);
-    EXPECT_EQ(index_.blocks().at(red).holders, std::set<WorkerId>{one});
+    EXPECT_EQ(index_.blocks().at(red).holders, BlockIndex::Workers{one});
     EXPECT_TRUE(index_.lose_hold(one, red));
     EXPECT_FALSE(index_.lose_hold(one, red));
     index_.forget_if_unused(red);
@@ -41,19 +41,22 @@ TEST_F(BlockIndices, OnlyAWorkerThatServesPeersIsAHolder) {
 TEST_F(BlockIndices, ABlockIsUnderWayUntilItsDeliveryEnds) {
     index_.send(deaf, red, 5);
     index_.forget_if_unused(red);
-    EXPECT_EQ(index_.blocks().at(red).on_the_way_to, std::set<WorkerId>{deaf});
+    EXPECT_EQ(index_.blocks().at(red).on_the_way_to, BlockIndex::Workers{deaf});
     EXPECT_EQ(index_.stop_sending(deaf, red), 5u);
     EXPECT_EQ(index_.stop_sending(deaf, red), std::nullopt);
 }
 
-TEST_F(BlockIndices, AHolderCanGiveTheBlocksThatOtherWorkersAwait) {
+TEST_F(BlockIndices, AHolderServesTheWorkersThatAwaitItsBlocks) {
     index_.add_hold(one, red);
     index_.wait(deaf, red, start);
+    (void)index_.known(blue);
+    index_.wait(deaf, blue, start);
     index_.add_hold(two, red);
-    EXPECT_TRUE(index_.at(one).could_give.contains(red));
-    EXPECT_TRUE(index_.at(two).could_give.contains(red));
+    EXPECT_EQ(index_.next_for(one), deaf);
+    EXPECT_EQ(index_.next_for(two), deaf);
     index_.stop_waiting(deaf, red);
-    EXPECT_TRUE(index_.at(one).could_give.empty());
+    EXPECT_EQ(index_.next_for(one), WorkerId{}) << "it holds no other block";
+    index_.stop_waiting(deaf, blue);
     EXPECT_TRUE(index_.line().empty());
 }
 
@@ -70,10 +73,10 @@ TEST_F(BlockIndices, TheLongestWaitingWorkerThatReachesTheSourceIsNext) {
 
 TEST_F(BlockIndices, ASourceHasALimitedNumberOfUploadSlots) {
     for (std::size_t i = 0; i < limits::peer_uploads_max; ++i) {
-        EXPECT_EQ(index_.free(), (std::set<WorkerId>{one, two}));
+        EXPECT_EQ(index_.free(), (BlockIndex::Workers{one, two}));
         index_.add_upload(one);
     }
-    EXPECT_EQ(index_.free(), std::set<WorkerId>{two});
+    EXPECT_EQ(index_.free(), BlockIndex::Workers{two});
     index_.remove_upload(one);
     EXPECT_TRUE(index_.free().contains(one));
 }
