@@ -26,7 +26,7 @@ std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
 }
 
 WorkUnit TaskContent::unit(TaskId task) const {
-    WorkUnit unit{task, job, 0, count(), {}, {}, {}};
+    WorkUnit unit{task, job, 0, count(), {}, {}, {}, 0};
     if (range && range->window == nullptr) {
         unit.first = range->positions.first;
         return unit;

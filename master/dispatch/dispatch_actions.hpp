@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/timing/master.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/cut.hpp"
 #include "master/base/instance_id.hpp"
@@ -27,6 +28,8 @@ struct SendUnit {
     bool is_analysed = true;
     TaskId copy_of = {}; ///< Another worker's task that has these positions; 0 if not a copy.
     std::shared_ptr<const PoseWindow> window = {}; ///< Poses of a range that is not on a grid.
+    /// Time for which results may wait at the worker for others of the task, s.
+    double results_wait_seconds = timing::results_wait_seconds_min;
 
     friend bool operator==(const SendUnit&, const SendUnit&) = default;
 };

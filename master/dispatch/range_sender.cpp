@@ -7,16 +7,21 @@
 
 namespace cd {
 
+namespace {
+
+/// Returns the number of positions in a range for the worker, of which it should have `wanted`.
+std::uint64_t bounded_positions(double wanted, const WorkerProxy& proxy) {
+    return static_cast<std::uint64_t>(std::clamp(wanted,
+                                                 static_cast<double>(proxy.facts().threads),
+                                                 static_cast<double>(limits::range_scenarios_max)));
+}
+
+} // namespace
+
 std::uint64_t RangeSender::enough(const DispatchJob& job) const {
-    RangeTotals& of_all = totals(job);
-    if (!of_all.enough) {
-        std::uint64_t enough = 0;
-        for (const WorkerProxy* proxy : context_.pool.in_order()) {
-            enough += proxy->takes_work() ? positions_at_once(*proxy, job) : 0;
-        }
-        of_all.enough = enough;
-    }
-    return *of_all.enough;
+    const RangeTotals& of_all = totals(job);
+    const std::uint64_t share = job.unsent.rest() / 2; // Sum of the workers' shares.
+    return std::max(of_all.threads, std::min(of_all.at_once, share));
 }
 
 void RangeSender::forget_totals() const {
@@ -33,23 +38,24 @@ void RangeSender::age_totals() const {
     }
 }
 
-RangeTotals& RangeSender::totals(const DispatchJob& job) const {
+const RangeTotals& RangeSender::totals(const DispatchJob& job) const {
     if (job.range_totals) {
         return *job.range_totals;
     }
     RangeTotals totals;
-    totals.left = job.unsent.rest();
     for (const WorkerProxy* proxy : context_.pool.in_order()) {
         if (!proxy->takes_work()) {
             continue;
         }
         const double rate = context_.pace.positions_per_second(*proxy, job);
         totals.rate += rate;
+        totals.threads += proxy->facts().threads;
+        totals.at_once += bounded_positions(range_seconds(*proxy) * rate, *proxy);
         if (proxy->is_claimed()) {
             continue;
         }
         totals.unclaimed += rate;
-        totals.left += proxy->tasks.left();
+        totals.in_flight += proxy->tasks.left();
         const double of_thread = rate / proxy->facts().threads;
         totals.quickest_but = std::max(totals.quickest_but, std::min(of_thread, totals.quickest));
         if (of_thread > totals.quickest) {
@@ -57,12 +63,8 @@ RangeTotals& RangeSender::totals(const DispatchJob& job) const {
             totals.quickest_worker = proxy->id();
         }
     }
-    // The size of a range depends on the number of scenarios left. Near the job's end that number
-    // changes quickly, so the totals are counted at each event.
-    const std::size_t workers = context_.pool.in_order().size();
-    const std::uint64_t left = totals.left / std::max<std::size_t>(1, workers);
-    totals.events_left = std::max<std::size_t>(
-        1, std::min(workers / limits::workers_per_event, left / limits::scenarios_left_per_event));
+    totals.events_left =
+        std::max<std::size_t>(1, context_.pool.in_order().size() / limits::workers_per_event);
     return job.range_totals.emplace(totals);
 }
 
@@ -94,9 +96,15 @@ bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job
     const double rate = context_.pace.positions_per_second(proxy, job);
     const double others = std::max(of_all.unclaimed - rate, quickest);
     // The totals are some events old, and the worker may have got tasks since.
-    const auto left = static_cast<double>(of_all.left - std::min(of_all.left, proxy.tasks.left()));
+    const std::uint64_t in_flight =
+        of_all.in_flight - std::min(of_all.in_flight, proxy.tasks.left());
+    const auto left = static_cast<double>(job.unsent.rest() + in_flight);
     return proxy.facts().threads / rate >
            limits::range_lateness_max * std::max(left / others, 1 / quickest);
+}
+
+double RangeSender::range_seconds(const WorkerProxy& proxy) const {
+    return std::max(proxy.batch.seconds(), context_.pool.message_seconds());
 }
 
 std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
@@ -106,10 +114,7 @@ std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
     const double left = static_cast<double>(job.unsent.rest());
     // Half of the worker's share of all unsent scenarios, so that later ranges even out errors.
     const double share = all > 0 ? left * rate / all / 2 : left;
-    const double most = std::min(proxy.batch.seconds() * rate, share);
-    return static_cast<std::uint64_t>(std::clamp(most,
-                                                 static_cast<double>(proxy.facts().threads),
-                                                 static_cast<double>(limits::range_scenarios_max)));
+    return bounded_positions(std::min(range_seconds(proxy) * rate, share), proxy);
 }
 
 void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {

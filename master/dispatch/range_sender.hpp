@@ -16,8 +16,7 @@ class RangeSender {
 
     /// Sends the worker, which would take it, its next range of the job.
     void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
-    /// Number of unsent positions of the job that suffices for all workers, as of the last count of
-    /// its totals.
+    /// Number of unsent positions of the job that suffices for all workers.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const;
     /// True if the worker would get a range of the job at the job's turn: it would run dry.
     [[nodiscard]] bool would_take(const WorkerProxy& proxy, const DispatchJob& job) const;
@@ -35,9 +34,11 @@ class RangeSender {
   private:
     /// The job's totals, counted anew if they were dropped. Work sent and answered since the count
     /// does not change them.
-    [[nodiscard]] RangeTotals& totals(const DispatchJob& job) const;
+    [[nodiscard]] const RangeTotals& totals(const DispatchJob& job) const;
     /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// Time that a range should take the worker while much work is left, s.
+    [[nodiscard]] double range_seconds(const WorkerProxy& proxy) const;
     /// Number of positions in the worker's next range of the job.
     [[nodiscard]] std::uint64_t positions_at_once(const WorkerProxy& proxy,
                                                   const DispatchJob& job) const;

@@ -60,13 +60,15 @@ void TaskTable::send_copy(const Assignment& original,
 void TaskTable::start(WorkerProxy& proxy, TaskInFlight task, Actions& actions) {
     queue_.order().sent(task.job, task.cost_ns);
     const TaskId id{++last_};
-    actions.push_back(SendUnit{proxy.id(),
-                               id,
-                               task.job,
-                               task.positions,
-                               task.is_analysed,
-                               task.shared.original.task,
-                               task.window});
+    actions.push_back(
+        SendUnit{proxy.id(),
+                 id,
+                 task.job,
+                 task.positions,
+                 task.is_analysed,
+                 task.shared.original.task,
+                 task.window,
+                 std::max(timing::results_wait_seconds_min, pool_.message_seconds())});
     proxy.tasks.start(id, std::move(task));
 }
 

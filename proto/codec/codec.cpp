@@ -105,6 +105,9 @@ Problem problem_of(const WorkUnit& unit) {
     if (unit.first > limits::scenarios_max) {
         return "a first scenario beyond the largest job";
     }
+    if (unit.results_wait_ms > timing::results_wait_max.count()) {
+        return "results that wait too long";
+    }
     if (!unit.is_analysed()) {
         return unit.pairs.empty() ? nullptr : "pairs without offsets";
     }

@@ -122,7 +122,8 @@ void serialize(Archive& archive, Subtrees& m) {
 
 template <class Archive>
 void serialize(Archive& archive, WorkUnit& m) {
-    archive(m.task, m.job, m.first, m.count, m.scenarios, m.pair_offsets, m.pairs);
+    archive(
+        m.task, m.job, m.first, m.count, m.scenarios, m.pair_offsets, m.pairs, m.results_wait_ms);
 }
 
 template <class Archive>

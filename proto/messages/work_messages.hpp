@@ -92,6 +92,7 @@ struct WorkUnit {
     std::vector<std::uint32_t> pair_offsets;
     /// Colliding pairs of distribution roots; for motions a list of roots (`query_roots`).
     std::vector<RootPair> pairs;
+    std::uint32_t results_wait_ms = 0; ///< Results may wait this long for others of the unit.
 
     [[nodiscard]] bool is_analysed() const { return !pair_offsets.empty(); }
 };

@@ -1,6 +1,7 @@
 #include "worker/session/block_inbox.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
 #include <set>
@@ -29,9 +30,11 @@ BlockInbox::BlockInbox(SessionHub& hub,
       cache_(std::exchange(keep_->cache, SubtreeCache(keep_->cache.bytes_max()))),
       fetcher_(cache_),
       peers_(std::move(peers)),
-      links_(peers_.name, peers_.tls, *peers_.network) {}
+      links_(peers_.name, peers_.tls, *peers_.network),
+      held_timer_(hub.home()) {}
 
 void BlockInbox::leave() {
+    held_timer_.cancel();
     if (peers_.server != nullptr) {
         peers_.server->stop_serving();
     }
@@ -204,7 +207,7 @@ std::vector<BlockInbox::Token> BlockInbox::settle() {
     count(step);
     // Evicted comes first; otherwise the master would apply it to the blocks requested next.
     send_evicted();
-    send_held();
+    send_held_soon();
     send_wants(step.want);
     return std::move(step.ready);
 }
@@ -234,6 +237,25 @@ void BlockInbox::send_evicted() {
         sort_distinct(roots);
         master_.send(Evicted{tree, std::move(roots)});
     }
+}
+
+void BlockInbox::send_held_soon() {
+    const auto wait = hub_.results_wait() / timing::held_waits_per_results_wait;
+    if (wait.count() == 0) {
+        return send_held();
+    }
+    if (held_.empty() || std::exchange(sending_held_soon_, true)) {
+        return;
+    }
+    held_timer_.expires_after(wait);
+    held_timer_.async_wait(
+        [this, weak = hub_.weak_from_this()](const boost::system::error_code& error) {
+            const auto hub = weak.lock();
+            if (hub != nullptr && !error) {
+                sending_held_soon_ = false;
+                send_held();
+            }
+        });
 }
 
 void BlockInbox::send_held() {

@@ -98,6 +98,8 @@ class BlockInbox {
                                            FetchFromPeers directions);
     void count(const Fetcher::Step& step);
     void send_evicted();
+    /// Reports the arrived blocks soon, together with those that arrive until then.
+    void send_held_soon();
     void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);
 
@@ -109,6 +111,8 @@ class BlockInbox {
     PeerParts peers_;
     PeerLinks links_;
     std::map<TreeId, std::vector<RootIndex>> held_; ///< Arrived blocks to report in the next Held.
+    asio::steady_timer held_timer_;
+    bool sending_held_soon_ = false;
     TrafficBook traffic_;
 };
 

@@ -5,6 +5,7 @@
 #include "worker/execution/executor.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -45,6 +46,11 @@ class SessionHub : public std::enable_shared_from_this<SessionHub> {
     /// over.
     void run_on_thread(std::function<Executor::Continuation()> job);
 
+    /// Time for which results may wait for others before they are sent to the master, as of the
+    /// last work unit. Long if the master has many workers.
+    [[nodiscard]] std::chrono::milliseconds results_wait() const { return results_wait_; }
+    void set_results_wait(std::chrono::milliseconds wait) { results_wait_ = wait; }
+
     [[nodiscard]] const asio::any_io_executor& home() const { return executor_.home(); }
     [[nodiscard]] unsigned threads() const { return executor_.threads(); }
     /// A flag that threads check: true once the session is over.
@@ -59,6 +65,7 @@ class SessionHub : public std::enable_shared_from_this<SessionHub> {
   private:
     Executor& executor_;
     std::shared_ptr<std::atomic<bool>> over_ = std::make_shared<std::atomic<bool>>(false);
+    std::chrono::milliseconds results_wait_{0};
     bool settling_ = false; ///< True: a `settle` is posted and has not run.
 };
 

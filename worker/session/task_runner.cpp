@@ -74,11 +74,13 @@ void TaskRunner::remove_jobs_of(TreeId tree) {
 
 Status TaskRunner::add(WorkUnit unit) {
     const bool is_analysed = unit.is_analysed();
+    const std::chrono::milliseconds results_wait(unit.results_wait_ms);
     const Result<Task*> added = book_.add(std::move(unit), blocks_.cache());
     if (!added) {
         return added.error();
     }
     Task& task = *added.value();
+    hub_.set_results_wait(results_wait);
     if (stopping_ && is_analysed) {
         task.drop(task.scenario_count());
     } else if (stopping_) {
@@ -175,6 +177,9 @@ bool TaskRunner::settle(std::span<const ScenarioQueue::Token> ready) {
     bool is_more_ready = true;
     while (is_more_ready && running_ < running_max && master_.takes_results()) {
         is_more_ready = start_next();
+    }
+    if (flushing_soon_ && running_ < hub_.threads()) {
+        flush_after(timing::results_wait_idle);
     }
     return end_finished_tasks();
 }
@@ -302,23 +307,23 @@ void TaskRunner::add_results(Task& task, const FinishedScenarios& finished) {
     if (task.result_bytes() >= limits::results_flush_bytes) {
         flush(task);
     } else {
-        flush_soon();
+        flush_after(hub_.results_wait());
     }
 }
 
-void TaskRunner::flush_soon() {
-    if (std::exchange(flushing_soon_, true)) {
+void TaskRunner::flush_after(std::chrono::milliseconds wait) {
+    const auto due = std::chrono::steady_clock::now() + wait;
+    if (flushing_soon_ && flush_timer_.expiry() <= due) {
         return;
     }
-    flush_timer_.expires_after(timing::results_flush_period);
+    flushing_soon_ = true;
+    flush_timer_.expires_at(due); // Cancels the wait for a later time.
     flush_timer_.async_wait(
         [this, weak = hub_.weak_from_this()](const boost::system::error_code& error) {
             const auto hub = weak.lock();
-            if (hub != nullptr) {
+            if (hub != nullptr && !error) {
                 flushing_soon_ = false;
-                if (!error) {
-                    flush_all();
-                }
+                flush_all();
             }
         });
 }

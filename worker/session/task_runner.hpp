@@ -9,6 +9,7 @@
 #include "worker/session/tree_joiner.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -72,7 +73,8 @@ class TaskRunner {
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);
     void add_results(Task& task, const FinishedScenarios& finished);
-    void flush_soon();
+    /// Sends the results of all tasks after `wait`, or earlier if that is planned.
+    void flush_after(std::chrono::milliseconds wait);
     void flush(Task& task);
     void flush_all();
     [[nodiscard]] bool end_finished_tasks();

@@ -131,8 +131,6 @@ inline constexpr std::size_t workers_few = 64;
 /// Workers that an event may look at on average to count totals over all workers. So with more
 /// workers the totals of ranges serve several events.
 inline constexpr std::size_t workers_per_event = 16;
-/// Scenarios that are left for each worker while the totals of ranges may be one event older.
-inline constexpr std::uint64_t scenarios_left_per_event = 64;
 
 // Matching by time: values assumed until they are measured, and the size of batches.
 inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.

@@ -59,13 +59,21 @@ inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.
 /// Each worker above `limits::workers_few` adds this to the period of checks of all workers, s.
-inline constexpr double look_seconds_each = 2e-6;
+inline constexpr double look_seconds_each = 20e-6;
 
 // Shares of owners and jobs.
 /// An owner that does not use its share saves up so much time of all threads at most, s.
 inline constexpr double share_credit_seconds = 10;
 /// A job's share of the threads is shown over about this time, s.
 inline constexpr double share_shown_seconds = 10;
+
+// Messages of workers. The master bounds how many come per second, whatever the number of workers.
+/// Results of a task may wait this long at a worker, and longer if there are many workers.
+inline constexpr double results_wait_seconds_min = 0.05;
+/// Each worker adds this to the time between two messages of results of a worker, and to the length
+/// of ranges: 5,000 messages/s.
+inline constexpr double message_seconds_each = 2e-4;
+inline constexpr double message_seconds_max = 1; ///< Longest such time.
 
 // Matching by time: values assumed until they are measured, and the size of batches.
 inline constexpr double block_seconds = 20e-6; ///< Time to request and unpack a block.

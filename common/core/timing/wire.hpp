@@ -8,6 +8,8 @@ namespace cd::timing {
 // Contents that proto/ checks.
 /// Longest computing time that a message of results may state, so that sums stay finite.
 inline constexpr double compute_seconds_max = 1e7;
+/// Longest time for which a work unit may let results wait.
+inline constexpr std::chrono::milliseconds results_wait_max{10'000};
 
 // TLS and certificates.
 /// Validity of the cluster's own CA certificate.

@@ -10,8 +10,12 @@ namespace cd::timing {
 inline constexpr double walk_seconds = 0.001;
 
 // Results.
-/// Results wait at most this long before they are sent.
-inline constexpr std::chrono::milliseconds results_flush_period{50};
+/// While a thread of the worker is idle, results wait at most this long, whatever the master
+/// allows.
+inline constexpr std::chrono::milliseconds results_wait_idle{50};
+/// Arrived blocks are reported after this part of the time for which results may wait. It is short,
+/// since other workers wait for these blocks.
+inline constexpr int held_waits_per_results_wait = 20;
 /// At the end of a drain, the worker waits this long for acknowledgements of its last results.
 inline constexpr std::chrono::seconds results_kept_wait_max{5};
 

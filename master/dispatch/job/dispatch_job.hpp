@@ -89,17 +89,17 @@ class UnsentPositions {
     std::uint64_t after_ = 0;
 };
 
-/// Speed at which all workers together process ranges of a job, and number of scenarios left.
-/// Counting them takes a look at every worker.
+/// Sums over the workers that process ranges of a job. Counting them takes a look at every worker.
 struct RangeTotals {
     double rate = 0;         ///< Scenarios/s of all workers that take work.
     double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.
     double quickest = 0;     ///< Best rate per thread, unclaimed workers.
     double quickest_but = 0; ///< Second-best rate per thread, unclaimed workers.
     WorkerId quickest_worker;
-    std::uint64_t left = 0; ///< Scenarios that are unsent, or unanswered at an unclaimed worker.
-    std::optional<std::uint64_t> enough; ///< Unsent positions that suffice for all workers.
-    std::size_t events_left = 1;         ///< Number of events after which these totals are dropped.
+    std::uint64_t in_flight = 0; ///< Unanswered scenarios at unclaimed workers.
+    std::uint64_t threads = 0;   ///< Threads of all workers that take work.
+    std::uint64_t at_once = 0;   ///< Sum of the workers' ranges far from the end of the job.
+    std::size_t events_left = 1; ///< Number of events after which these totals are dropped.
 };
 
 /// Analysed scenarios of a job on their way to the workers.

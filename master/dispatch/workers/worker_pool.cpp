@@ -1,6 +1,7 @@
 #include "master/dispatch/workers/worker_pool.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,11 @@ void WorkerPool::remove(WorkerId worker) {
     slot_taken_[at(worker).slot()] = false;
     std::erase(in_order_, find(worker));
     proxies_.erase(worker);
+}
+
+double WorkerPool::message_seconds() const {
+    const double seconds = timing::message_seconds_each * static_cast<double>(in_order_.size());
+    return std::min(seconds, timing::message_seconds_max);
 }
 
 WorkerProxy* WorkerPool::find(WorkerId worker) {

@@ -31,6 +31,9 @@ class WorkerPool {
     /// The first worker that takes work. Null if none does.
     [[nodiscard]] const WorkerProxy* first_that_takes_work() const;
 
+    /// Time between two messages of a worker that bounds how many all workers send per second, s.
+    [[nodiscard]] double message_seconds() const;
+
     /// For each slot so far, whether a worker has it.
     [[nodiscard]] const std::vector<bool>& slots_taken() const { return slot_taken_; }
 

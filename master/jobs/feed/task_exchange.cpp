@@ -25,7 +25,9 @@ void TaskExchange::send(const SendUnit& action) {
     job->tally.help.copies += action.copy_of == TaskId{} ? 0 : action.positions.count();
     auto content = std::make_shared<const TaskContent>(content_of(*job, action));
     add_job_to(*worker, *job);
-    worker->channel->send(content->unit(action.task));
+    WorkUnit unit = content->unit(action.task);
+    unit.results_wait_ms = static_cast<std::uint32_t>(1e3 * action.results_wait_seconds);
+    worker->channel->send(unit);
     book_.add(action.worker, action.task, {std::move(content)});
     note_work(action.worker);
 }

@@ -19,12 +19,31 @@ TEST_F(RangeSending, EachWorkerGetsABatchesWorthAndTheNextBeforeItRunsDry) {
     job_.unsent.add({{0, 10'000}}, 0);
     filler.give_ranges(actions);
     EXPECT_EQ(last<SendUnit>().positions, (PositionRange{0, 100})); // 0.1 s.
+    EXPECT_DOUBLE_EQ(last<SendUnit>().results_wait_seconds, 0.05);
     EXPECT_EQ(actions.size(), 1u);
     one.tasks.remove(last<SendUnit>().task, PositionRange{0, 1}, 0);
     ranges.forget_totals();
     filler.fill(one, actions);
     EXPECT_EQ(last<SendUnit>().positions, (PositionRange{100, 100}));
     EXPECT_FALSE(ranges.would_take(one, job_));
+}
+
+TEST_F(RangeSending, RangesOfManyWorkersAreLongAndTheirResultsWait) {
+    constexpr std::uint64_t workers = 1000;
+    for (std::uint64_t i = 1; i <= workers; ++i) {
+        join(i);
+    }
+    job_.unsent.add({{0, 1'000'000'000}}, 0);
+    filler.give_ranges(actions);
+    ASSERT_EQ(actions.size(), workers);
+    EXPECT_EQ(last<SendUnit>().positions.count(), 200u); // 0.2 s: 5,000 ranges/s.
+    EXPECT_DOUBLE_EQ(last<SendUnit>().results_wait_seconds, 0.2);
+    for (std::uint64_t i = workers + 1; i <= 10 * workers; ++i) {
+        join(i);
+    }
+    filler.give_ranges(actions);
+    EXPECT_EQ(last<SendUnit>().positions.count(), 1000u); // At most 1 s.
+    EXPECT_DOUBLE_EQ(last<SendUnit>().results_wait_seconds, 1);
 }
 
 TEST_F(RangeSending, TheRestIsDividedInTwoSharesForEachWorker) {
@@ -90,6 +109,17 @@ TEST_F(RangeSending, EnoughFillsEveryWorkerThatTakesWork) {
     EXPECT_EQ(ranges.enough(job_), 300u);
 }
 
+TEST_F(RangeSending, EnoughFallsWithWhatIsLeft) {
+    join(1);
+    join(2, 2);
+    job_.unsent.add({{0, 10'000}}, 0);
+    EXPECT_EQ(ranges.enough(job_), 300u);
+    (void)job_.unsent.take_first(9'900);
+    EXPECT_EQ(ranges.enough(job_), 50u); // Each worker gets half of its share of the last 100.
+    (void)job_.unsent.take_first(99);
+    EXPECT_EQ(ranges.enough(job_), 3u); // One for each thread.
+}
+
 TEST_F(RangeSending, TotalsOfManyWorkersServeSeveralEvents) {
     const std::uint64_t workers = 3 * limits::workers_per_event;
     for (std::uint64_t i = 1; i <= workers; ++i) {
@@ -97,23 +127,23 @@ TEST_F(RangeSending, TotalsOfManyWorkersServeSeveralEvents) {
     }
     job_.unsent.add({{0, 1'000'000}}, 0);
     EXPECT_EQ(ranges.enough(job_), 100 * workers);
-    (void)job_.unsent.take_first(1'000'000 - workers); // One for each worker is left.
+    join(workers + 1);
     for (int event = 0; event < 2; ++event) {
         ranges.age_totals();
         EXPECT_EQ(ranges.enough(job_), 100 * workers);
     }
     ranges.age_totals();
-    EXPECT_EQ(ranges.enough(job_), workers);
+    EXPECT_EQ(ranges.enough(job_), 100 * (workers + 1));
 }
 
 TEST_F(RangeSending, AFewWorkersAreCountedAtEachEvent) {
     join(1);
     job_.unsent.add({{0, 10'000}}, 0);
     EXPECT_EQ(ranges.enough(job_), 100u);
-    (void)job_.unsent.take_first(9'999);
+    join(2);
     EXPECT_EQ(ranges.enough(job_), 100u);
     ranges.age_totals();
-    EXPECT_EQ(ranges.enough(job_), 1u);
+    EXPECT_EQ(ranges.enough(job_), 200u);
 }
 
 } // namespace

@@ -33,14 +33,14 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "467f2ff75f1b9901"},
-    {"welcome", 116, "789a305a9991626d"},
+    {"hello", 95, "4cdbf3fda93a2f4a"},
+    {"welcome", 116, "8b23ab9d71c9e695"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
     {"remove tree", 8, "f13ee6ed54ea2aae"},
     {"subtrees", 144, "da0189eff0ecbd68"},
-    {"work unit", 146, "7b055f25f3513899"},
+    {"work unit", 150, "2c20d0c30ffc3ea2"},
     {"drain", 0, "e3b0c44298fc1c14"},
     {"terminate", 28, "d6d079848cb90ca3"},
     {"want subtrees", 28, "22f2d0e6837120f2"},
@@ -272,7 +272,8 @@ TEST(Codec, ValuesOutOfRangeAreRefused) {
 // The encoder asserts valid messages, so these are broken on the wire.
 struct BatchBytes {
     Bytes bytes = encode_message(some_batch());
-    std::size_t pairs = bytes.size() - 3 * 8;
+    std::size_t results_wait = bytes.size() - 4;
+    std::size_t pairs = results_wait - 3 * 8;
     std::size_t offsets = pairs - 8 - 4 * 4;
 
     void set(std::size_t place, std::uint32_t value) {
@@ -299,6 +300,14 @@ TEST(Codec, ABatchWhoseOffsetsDoNotFitItsPairsIsRefused) {
     repeated.set(repeated.pairs, 1);
     repeated.set(repeated.pairs + 4, 0);
     EXPECT_THAT(repeated.refusal(), HasSubstr("ascend"));
+}
+
+TEST(Codec, ABatchWhoseResultsWaitTooLongIsRefused) {
+    BatchBytes batch;
+    batch.set(batch.results_wait, 10'000);
+    EXPECT_EQ(batch.refusal(), "");
+    batch.set(batch.results_wait, 10'001);
+    EXPECT_THAT(batch.refusal(), HasSubstr("wait too long"));
 }
 
 TEST(Codec, ARangeIsOfSomeScenariosAndOfABoundedNumber) {

@@ -62,6 +62,21 @@ TEST_F(Inbox, AScenarioIsReadyOnceItsBlocksHaveCome) {
     EXPECT_GT(traffic.master_bytes, 0u);
 }
 
+TEST_F(Inbox, BlocksAreReportedTogetherWhereTheMasterHasManyWorkers) {
+    hub->set_results_wait(std::chrono::hours(100));
+    blocks.need(1, job, {{tree_a, 0}, {tree_a, 2}});
+    EXPECT_THAT(blocks.settle(), IsEmpty());
+    deliver(2);
+    EXPECT_THAT(blocks.settle(), IsEmpty());
+    EXPECT_THAT(master.all<Held>(), IsEmpty());
+    hub->set_results_wait(std::chrono::milliseconds(0));
+    deliver(0);
+    EXPECT_THAT(blocks.settle(), ElementsAre(1));
+    const auto held = master.all<Held>();
+    ASSERT_EQ(held.size(), 1u);
+    EXPECT_THAT(held[0].roots, ElementsAre(0, 2));
+}
+
 TEST_F(SmallInbox, AnEvictionIsReportedBeforeTheNextRequest) {
     blocks.need(1, job, {{tree_a, 0}});
     EXPECT_THAT(blocks.settle(), IsEmpty());

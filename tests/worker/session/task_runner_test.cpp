@@ -161,6 +161,18 @@ TEST_F(Runner, AnswersEachScenarioAndThenEndsTheTask) {
     EXPECT_EQ(keep->computed->load(), 80u);
 }
 
+TEST_F(Runner, ResultsDoNotWaitAtAWorkerThatIsIdle) {
+    WorkUnit range = make_range(task, make_scenarios(0, 400));
+    range.results_wait_ms = 3'600'000;
+    EXPECT_TRUE(tasks.add(range));
+    run_until([&] {
+        master.has_room = keep->computed->load() == 0; // Then no other scenario begins.
+        return !master.all<Results>().empty();
+    });
+    EXPECT_FALSE(answered().empty());
+    EXPECT_LT(answered().size(), 400u);
+}
+
 TEST_F(Runner, ReturnsRecalledScenariosThatHaveNotBegun) {
     for (const bool is_range : {false, true}) {
         add_unbegun(is_range);

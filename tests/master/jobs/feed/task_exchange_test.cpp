@@ -37,6 +37,7 @@ TEST_F(TaskExchangeTest, JobAndTreesGoAheadOfTheFirstBatch) {
     const WorkUnit unit = next<WorkUnit>(worker_);
     EXPECT_EQ(unit.job, job.id);
     EXPECT_EQ(unit.task, first().task);
+    EXPECT_EQ(unit.results_wait_ms, 50u);
     const std::vector<Message>& came = ends.at(worker_).came;
     EXPECT_EQ(std::get<AddTree>(came.at(0)).tree, job.work()->trees[0]);
     EXPECT_EQ(std::get<AddTree>(came.at(1)).tree, job.work()->trees[1]);
