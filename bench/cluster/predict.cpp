@@ -2,6 +2,7 @@
 // thread, to compare it with a real run there. See `prediction`.
 //
 //   predict TRACE --cores N --workers N --strategy NAME --depth D
+//   predict TRACE --cores N --workers N --ranges --depth D
 #include "bench/cluster/paper/experiments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 
 namespace cd::bench {
 
@@ -32,6 +34,14 @@ SimulationOptions options_of(const Computer& computer, std::string_view strategy
     return options;
 }
 
+/// The workload of a job in ranges, whose workers look for the colliding roots.
+Workload in_ranges(Workload workload) {
+    for (ScenarioCost& cost : workload.costs) {
+        cost.work_seconds += std::exchange(cost.analysis_seconds, 0);
+    }
+    return workload;
+}
+
 } // namespace
 
 } // namespace cd::bench
@@ -43,12 +53,14 @@ int main(int argc, char** argv) {
     Computer computer;
     std::string name = "earliest-finish";
     std::uint32_t depth = 12;
+    bool are_ranges = false;
     CLI::App app("Predicts the seconds of a job on one computer");
     app.add_option("TRACE", path, "The job's trace")->required();
     app.add_option("--cores", computer.cores, "Of the computer")->check(CLI::PositiveNumber);
     app.add_option("--workers", computer.workers, "Of one thread")->check(CLI::PositiveNumber);
     app.add_option("--strategy", name, "How workers are chosen");
     app.add_option("--depth", depth, "At which A is cut");
+    app.add_flag("--ranges", are_ranges, "Workers get ranges, which the master does not analyse");
     CLI11_PARSE(app, argc, argv);
     try {
         const auto trace = read_trace(path);
@@ -61,9 +73,13 @@ int main(int argc, char** argv) {
                                         : "the trace does not have the depth");
             return 2;
         }
-        const Workload workload =
+        Workload workload =
             make_workload(trace.value(), paper_table_heavy, {Costs::Measured, depth});
         SimulationOptions options = options_of(computer, name);
+        if (are_ranges) {
+            workload = in_ranges(std::move(workload));
+            options.analysis = AnalysisMode::Never;
+        }
         constexpr std::chrono::seconds limit{300};
         // The first run measures the coordinator's time; the second charges it.
         const auto uncharged = simulate_apart(workload, options, limit);

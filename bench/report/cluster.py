@@ -138,8 +138,8 @@ def statements_section(runs, fit):
         ["the paper", "its figure", "unfitted", "holds", "fitted", "holds"], rows)
 
 
-PREDICTION_NOTE = ("The same job in both, analysed by the master, on one computer whose cores a master and "
-                   "workers of one thread share (`bench/cluster/prediction`); real: the median of the rounds.")
+PREDICTION_NOTE = ("The same job in both, analysed by the master or in ranges, on one computer whose cores a master "
+                   "and workers of one thread share (`bench/cluster/prediction`); real: the median of the rounds.")
 
 
 def percent(row, column):

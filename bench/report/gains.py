@@ -115,16 +115,17 @@ def ranges_section(rows):
                       fixed(number(row, "seconds"), 2), f"{100 * number(row, 'share'):.1f} %",
                       row["uploads_max"], f"{number(row, 'start_share') * 100:.0f} / "
                       f"{number(row, 'between_share') * 100:.0f} / {number(row, 'tail_share') * 100:.0f} %",
-                      fixed(number(row, "coordinator_us"), 2)])
+                      fixed(number(row, "coordinator_us"), 2), f"{100 * number(row, 'master_share'):.0f} %"])
     first = rows[0]
     note = (f"The real coordinator in simulated time: hosts of {first['threads']} cores and 1 Gb/s, empty caches, "
             f"{fixed(number(first, 'geometry_mb'))} MB of geometry, level count, no analysis. *Compute*, *geometry* "
             "(to one host), *master*: the least seconds each alone allows; *s* came out. *Share*: of the weighted "
             "bound. *Uploads*: most times that the master sent one block. *Idle*: before, between, after work. "
-            "*Coordinator*: processor time really taken a scenario, not charged.")
+            "*Coordinator*: its processor time, which the simulated master's one thread spends as well as that of "
+            "the results; *busy*: that thread's share of the time.")
     return "## Ranges\n" + note + "\n\n" + table(
         ["hosts", "ms a scenario", "master, us a result", "scenarios", "compute, s", "geometry, s", "master, s", "s",
-         "share", "uploads", "idle", "coordinator, us"], lines)
+         "share", "uploads", "idle", "coordinator, us a scenario", "busy"], lines)
 
 
 def faults(data):

@@ -3,10 +3,14 @@
 #include "bench/cluster/model/agenda.hpp"
 #include "bench/cluster/model/simulated_master.hpp"
 #include "bench/cluster/model/worker_model.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <functional>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace cd::bench {
@@ -55,6 +59,9 @@ class LargeCluster {
         double first = 0;        ///< Start of the host's first scenario.
         double last = 0;
         double worked = 0;
+        std::map<TreeId, std::set<RootIndex>> held; ///< Arrived blocks not yet reported.
+        bool tells_held = false;
+        bool tells_later = false; ///< Results wait for others.
     };
     /// Times until which each direction is busy, and arrivals of the last messages from and to the
     /// master: messages between two hosts stay in order.
@@ -286,10 +293,37 @@ class LargeCluster {
     }
 
     void opened(std::size_t number, const Subtrees& blocks) {
-        tell_master(number, host(number).model.opened(blocks));
+        tell_opened(number, host(number).model.opened(blocks));
         tell_master(number, host(number).model.ahead());
         tell_evicted(number);
         work(number);
+    }
+
+    /// Passes on what follows from the opening of blocks. Blocks that arrive within a short time
+    /// are reported together, as by a worker.
+    void tell_opened(std::size_t number, Messages messages) {
+        Host& here = host(number);
+        const auto waits = [&](const Message& message) {
+            const auto* held = std::get_if<Held>(&message);
+            if (held != nullptr) {
+                here.held[held->tree].insert(held->roots.begin(), held->roots.end());
+            }
+            return held != nullptr;
+        };
+        std::erase_if(messages, waits);
+        tell_master(number, std::move(messages));
+        if (here.held.empty() || std::exchange(here.tells_held, true)) {
+            return;
+        }
+        const double wait = here.model.results_wait() / timing::held_waits_per_results_wait;
+        agenda_.at(agenda_.now() + wait, [this, number] {
+            host(number).tells_held = false;
+            Messages reports;
+            for (const auto& [tree, roots] : std::exchange(host(number).held, {})) {
+                reports.emplace_back(Held{tree, {roots.begin(), roots.end()}});
+            }
+            tell_master(number, std::move(reports));
+        });
     }
 
     void ran(std::size_t number, Running running) {
@@ -314,9 +348,18 @@ class LargeCluster {
     }
 
     void tell_results(std::size_t number) {
+        constexpr auto idle = std::chrono::duration<double>(timing::results_wait_idle);
         Host& here = host(number);
-        const double period = here.model.ready_count() != 0 ? options_.results_period : 0;
+        const double period = here.model.ready_count() != 0
+                                  ? here.model.results_wait()
+                                  : std::min(here.model.results_wait(), idle.count());
         tell_master(number, here.model.due(agenda_.now(), period));
+        if (here.model.has_unsent() && !std::exchange(here.tells_later, true)) {
+            agenda_.at(agenda_.now() + period, [this, number] {
+                host(number).tells_later = false;
+                tell_results(number);
+            });
+        }
     }
 
     void tell_evicted(std::size_t number) {

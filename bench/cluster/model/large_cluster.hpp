@@ -28,7 +28,6 @@ struct LargeOptions {
     double bytes_per_second = 125e6;
     double latency_seconds = 50e-6; ///< Latency of one link; a message passes two.
     std::uint32_t analysts = 15;    ///< Cores of the master's computer that analyse.
-    double results_period = 0.05;
     /// A thread takes ready scenarios of about this time at once; 0: one scenario.
     double at_once_seconds = 0;
     /// Charges the master's thread with the coordinator's real time; runs then differ slightly.

@@ -76,6 +76,7 @@ class Simulation {
     static MasterOptions master_options(const SimulationOptions& options, std::uint64_t count) {
         MasterOptions master;
         master.dispatch = options.dispatch;
+        master.analysis = options.analysis;
         master.variation = options.variation;
         master.feed.waiting_max = is_client_first(options) ? count + 1 : options.ahead;
         // The paper's master analyses one scenario after the other.

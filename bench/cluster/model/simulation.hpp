@@ -40,7 +40,8 @@ struct ClusterSpec {
 
 struct SimulationOptions {
     ClusterSpec cluster;
-    ClusterOptions dispatch; ///< The workload gives its depths.
+    ClusterOptions dispatch;                      ///< The workload gives its depths.
+    AnalysisMode analysis = AnalysisMode::Always; ///< Whatever `dispatch` says.
     /// With ClientFirst, as in the paper's section 5.1, all scenarios are analysed before workers
     /// join, and a worker requests the blocks of a scenario when its turn comes.
     Variation variation = Variation::None;

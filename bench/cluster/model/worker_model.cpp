@@ -19,6 +19,7 @@ WorkerModel::WorkerModel(WorkerId id, const Workload& workload, std::uint64_t ca
 Messages WorkerModel::take(const WorkUnit& unit) {
     Task& task = tasks_[unit.task];
     task.job = unit.job;
+    results_wait_ = 1e-3 * unit.results_wait_ms;
     task.open = unit.count;
     task.first = unit.first;
     task.kept = unit.count;
@@ -283,6 +284,11 @@ void WorkerModel::ran(std::uint64_t scenario, double now, double seconds) {
     }
     task.unsent.push_back(scenario);
     task.compute_seconds += seconds;
+}
+
+bool WorkerModel::has_unsent() const {
+    return std::ranges::any_of(tasks_,
+                               [](const auto& task) { return !task.second.unsent.empty(); });
 }
 
 Messages WorkerModel::due(double now, double period) {

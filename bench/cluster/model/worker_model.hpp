@@ -60,6 +60,10 @@ class WorkerModel {
     /// Returns the results to send: all of ended tasks, and of other tasks those whose oldest
     /// result is at least `period` old. Reports the end of ended tasks.
     Messages due(double now, double period);
+    /// True if results wait for `due`.
+    [[nodiscard]] bool has_unsent() const;
+    /// Time for which the master lets results wait, in seconds: that of the last unit.
+    [[nodiscard]] double results_wait() const { return results_wait_; }
 
     [[nodiscard]] std::uint64_t memory_bytes() const { return memory_bytes_; }
     [[nodiscard]] std::uint64_t received_blocks() const { return received_blocks_; }
@@ -128,6 +132,7 @@ class WorkerModel {
     std::deque<std::pair<std::uint64_t, TaskId>> turns_; ///< Scenarios whose turn is to come.
     std::vector<WorkUnit> ranges_;                       ///< Ranges that wait for the upper trees.
     std::map<TaskId, Task> tasks_;
+    double results_wait_ = 0;
     std::deque<BlockId> hinted_; ///< Hinted blocks, not yet requested.
     std::uint64_t memory_bytes_ = 0;
     std::uint64_t wanted_bytes_ = 0; ///< Memory of the requested blocks once they arrive.

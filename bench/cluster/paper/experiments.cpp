@@ -131,8 +131,7 @@ Setting measured_setting() {
     setting.options.cluster.worker_per_computer = true;
     setting.options.ahead = 0;
     setting.options.analysts = setting.options.cluster.fast_cores_each - 1;
-    setting.options.results_period =
-        std::chrono::duration<double>(timing::results_flush_period).count();
+    setting.options.results_period = timing::results_wait_seconds_min;
     return setting;
 }
 
