@@ -26,15 +26,32 @@ HWY_INLINE hn::Vec<Floats> load_bytes(const WideNode::Bytes& bytes, std::size_t 
     return hn::ConvertTo(Floats(), hn::PromoteTo(whole, hn::LoadU(small, bytes.data() + first)));
 }
 
-/// Returns the places of coordinates from the middle, counted in bins and rounded to whole ones.
+/// Returns the places of coordinates from the middle.
+HWY_INLINE hn::Vec<Floats>
+place_of(const LinesAcross::Axis& axis, hn::Vec<Floats> coordinate, float slack) {
+    const Floats d;
+    return hn::Add(hn::Mul(coordinate, hn::Set(d, axis.per_length)),
+                   hn::Set(d, axis.first_bin + slack));
+}
+
+/// Returns the places of coordinates from the middle, rounded to whole bins.
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, Floats>>
 bin_of(const LinesAcross::Axis& axis, hn::Vec<Floats> coordinate, float slack) {
     const Floats d;
-    const auto place = hn::Add(hn::Mul(coordinate, hn::Set(d, axis.per_length)),
-                               hn::Set(d, axis.first_bin + slack));
+    const auto place = place_of(axis, coordinate, slack);
     const auto last = hn::Set(d, static_cast<float>(axis.last));
     return hn::ConvertTo(hn::Rebind<std::int32_t, Floats>(),
                          hn::Min(hn::Max(place, hn::Zero(d)), last));
+}
+
+/// Returns the children in whose interval on an axis some column or row of a grid may be.
+HWY_INLINE hn::Mask<Floats>
+holds_a_step(const LinesAcross::Axis& axis, hn::Vec<Floats> low, hn::Vec<Floats> high) {
+    const Floats d;
+    const auto first = hn::Max(hn::Ceil(place_of(axis, low, -axis.slack)), hn::Zero(d));
+    const auto last = hn::Min(hn::Floor(place_of(axis, high, axis.slack)),
+                              hn::Set(d, static_cast<float>(axis.last)));
+    return hn::Le(first, last);
 }
 
 /// Returns the children of which some line has a coordinate in the interval on an axis.
@@ -42,6 +59,8 @@ HWY_INLINE hn::Mask<Floats>
 holds_a_line(const LinesAcross::Axis& axis, hn::Vec<Floats> low, hn::Vec<Floats> high) {
     const Floats d;
     const hn::Rebind<std::int32_t, Floats> whole;
+    const auto half = hn::Set(d, axis.half);
+    const auto overlaps = hn::And(hn::Le(low, half), hn::Ge(high, hn::Neg(half)));
     const auto first = bin_of(axis, low, -axis.slack);
     const auto last = bin_of(axis, high, axis.slack);
     const auto is_below = hn::Le(low, hn::GatherIndex(d, axis.most, first));
@@ -50,7 +69,7 @@ holds_a_line(const LinesAcross::Axis& axis, hn::Vec<Floats> low, hn::Vec<Floats>
     const auto is_between = hn::RebindMask(d, hn::Gt(hn::Sub(last, first), hn::Set(whole, 1)));
     const auto both = hn::And(is_below, is_above);
     const auto any = hn::Or(hn::Or(is_below, is_above), is_between);
-    return hn::Or(hn::And(is_one, both), hn::AndNot(is_one, any));
+    return hn::And(overlaps, hn::Or(hn::And(is_one, both), hn::AndNot(is_one, any)));
 }
 
 std::uint32_t children_with_lines_on(const WideNode* node,
@@ -76,9 +95,8 @@ std::uint32_t children_with_lines_on(const WideNode* node,
             hn::Store(low, d, &boxes->low[which][first]);
             hn::Store(high, d, &boxes->high[which][first]);
             const LinesAcross::Axis& of = lines->axes[which];
-            const auto half = hn::Set(d, of.half);
-            const auto overlaps = hn::And(hn::Le(low, half), hn::Ge(high, hn::Neg(half)));
-            held = hn::And(held, hn::And(overlaps, holds_a_line(of, low, high)));
+            held = hn::And(
+                held, lines->is_grid ? holds_a_step(of, low, high) : holds_a_line(of, low, high));
         }
         mask |= bits_of(d, held) << first;
     }
@@ -100,16 +118,18 @@ HWY_EXPORT(children_with_lines_on);
 /// n each; places are clamped in the end. 16 v n has room.
 LinesAcross lines_across(const ParallelLines& lines) {
     LinesAcross across;
+    across.is_grid = lines.is_grid();
     const std::array<double, 2> middle = lines.middle();
     const std::array<float, 2> half = lines.half();
     for (std::size_t which = 0; which < 2; ++which) {
         const LineSteps& steps = lines.steps(which);
         LinesAcross::Axis& axis = across.axes[which];
         axis.half = half[which];
-        axis.first_bin =
-            static_cast<float>((middle[which] - lines.least()[which]) * steps.bins_per_length);
-        axis.per_length = static_cast<float>(steps.bins_per_length);
-        axis.slack = 0x1p-20F * static_cast<float>(steps.count());
+        const double per_length = across.is_grid ? steps.steps_per_length : steps.bins_per_length;
+        axis.first_bin = static_cast<float>((middle[which] - lines.least()[which]) * per_length);
+        axis.per_length = static_cast<float>(per_length);
+        axis.slack = 0x1p-20F * static_cast<float>(steps.count()) +
+                     (across.is_grid ? 1.01F * static_cast<float>(steps.slack) : 0);
         axis.last = static_cast<std::int32_t>(steps.count() - 1);
         axis.least = steps.least_from_middle.data();
         axis.most = steps.most_from_middle.data();

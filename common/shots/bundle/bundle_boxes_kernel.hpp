@@ -15,14 +15,15 @@ namespace cd {
 struct LinesAcross {
     struct Axis {
         float half = 0;       ///< Bounds all coordinates.
-        float first_bin = 0;  ///< The place of the middle, counted in bins.
-        float per_length = 0; ///< Bins.
-        float slack = 0;      ///< Bounds the error of a place, counted in bins.
+        float first_bin = 0;  ///< The place of the middle, counted in bins or in steps of a grid.
+        float per_length = 0; ///< Bins or steps.
+        float slack = 0;      ///< Bounds the error of a place, counted in bins or steps.
         std::int32_t last = 0;
         const float* least = nullptr;
         const float* most = nullptr;
     };
     std::array<Axis, 2> axes{};
+    bool is_grid = false;
 };
 
 [[nodiscard]] LinesAcross lines_across(const ParallelLines& lines);

@@ -1,11 +1,13 @@
-// A triangle's bounding box holds a rectangle of the grid's lines. Most triangles of a fine mesh
-// have few lines: the kernel lists their pairs without branches, then decides each pair with all
-// three edges in one vector. It decides other triangles row by row, a vector of lines at a time.
+// The lines of a grid that are in a triangle's box are some columns times some rows. Most triangles
+// of a fine mesh have few: their pairs are listed without a branch and decided one by one, the
+// turns of a pair in one vector. Other triangles are decided row by row, a vector of lines at a
+// time.
 #include "common/shots/bundle/bundle_grid_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
 
 #include <algorithm>
+#include <span>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/shots/bundle/bundle_grid_kernel.cpp"
@@ -22,184 +24,227 @@ namespace bundle_grid {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using bundle::bits_of;
 using bundle::Doubles;
 using bundle::lanes;
 using bundle::Marks;
 using bundle::Target;
 using bundle::V;
 
-/// A triangle has few lines if its box holds at most this many columns and rows.
+/// Triangles of at most so many lines have few.
 constexpr std::uint32_t few = 4;
 
-/// A range of columns or rows.
+/// Columns or rows that follow each other.
 struct Span {
     std::uint32_t first;
     std::uint32_t count;
 };
 
-/// Returns the range of columns or rows whose coordinates are in a triangle's box. Each bin of a
-/// grid has one column or row.
-HWY_INLINE Span span_of(const BlockAcross& placed,
-                        const BundleAcross& bundle,
-                        std::size_t which,
-                        std::size_t triangle) {
-    const double* const coordinates = bundle.axes[which].least_of_bins;
-    std::int32_t first = placed.first[which][triangle];
-    std::int32_t last = placed.last[which][triangle];
-    first += coordinates[first] < placed.low[which][triangle] ? 1 : 0;
-    last -= coordinates[last] > placed.high[which][triangle] ? 1 : 0;
-    return {static_cast<std::uint32_t>(first),
-            static_cast<std::uint32_t>(std::max(last + 1 - first, 0))};
-}
-
 /// The lines of each triangle.
-struct Spans {
-    Span columns[block_size];
-    Span rows[block_size];
-    std::uint32_t of_many = 0; ///< Bit mask of the triangles that have more than a few lines.
-
+class Spans {
+  public:
     HWY_INLINE Spans(const BlockAcross& placed, const BundleAcross& bundle) {
+        for (std::size_t begin = 0; begin < placed.count; begin += lanes) {
+            for (std::size_t which = 0; which < 2; ++which) {
+                find(bundle.axes[which],
+                     &placed.low[which][begin],
+                     &placed.high[which][begin],
+                     &first_[which][begin],
+                     &count_[which][begin]);
+            }
+        }
         for (std::uint32_t triangle = 0; triangle < placed.count; ++triangle) {
-            const Span c = span_of(placed, bundle, 0, triangle);
-            const Span r = span_of(placed, bundle, 1, triangle);
-            columns[triangle] = c;
-            rows[triangle] = r;
-            const bool is_of_many =
-                (c.count > few || r.count > few) && c.count != 0 && r.count != 0;
-            of_many |= static_cast<std::uint32_t>(is_of_many) << triangle;
+            const std::uint32_t lines = count_[0][triangle] * count_[1][triangle];
+            of_many_ |= static_cast<std::uint32_t>(lines > few) << triangle;
+            few_[few_count_] = static_cast<std::uint8_t>(triangle);
+            few_count_ += lines - 1 < few ? 1 : 0;
         }
     }
 
-    [[nodiscard]] HWY_INLINE bool is_of_many(std::uint32_t triangle) const {
-        return (of_many >> triangle & 1) != 0;
+    [[nodiscard]] HWY_INLINE Span columns(std::size_t triangle) const {
+        return {first_[0][triangle], count_[0][triangle]};
     }
+    [[nodiscard]] HWY_INLINE Span rows(std::size_t triangle) const {
+        return {first_[1][triangle], count_[1][triangle]};
+    }
+    /// Returns a bit mask of the triangles that have more than a few lines.
+    [[nodiscard]] HWY_INLINE std::uint32_t of_many() const { return of_many_; }
+    /// Returns those that have few, but some.
+    [[nodiscard]] HWY_INLINE std::span<const std::uint8_t> of_few() const {
+        return {few_, few_count_};
+    }
+
+  private:
+    /// Finds the columns or rows that the boxes of a vector of triangles hold on an axis. Numbers
+    /// of columns never fall as coordinates grow, and those of lines err by the slack.
+    static HWY_INLINE void find(const BundleAcross::Axis& axis,
+                                const double* low,
+                                const double* high,
+                                std::uint32_t* first,
+                                std::uint32_t* count) {
+        const Doubles d;
+        const hn::Rebind<std::int32_t, Doubles> whole;
+        const hn::Rebind<std::uint32_t, Doubles> bits;
+        const V least = hn::Set(d, axis.least);
+        const V per_length = hn::Set(d, axis.steps_per_length);
+        const V slack = hn::Set(d, axis.slack);
+        const V end = hn::Set(d, axis.last_bin + 1);
+        const auto place = [&](const double* of) {
+            return hn::Mul(hn::Sub(hn::Load(d, of), least), per_length);
+        };
+        const V from = hn::Min(hn::Max(hn::Ceil(hn::Sub(place(low), slack)), hn::Zero(d)), end);
+        const V to = hn::Min(hn::Floor(hn::Add(hn::Add(place(high), slack), hn::Set(d, 1))), end);
+        const auto store = [&](V value, std::uint32_t* at) {
+            hn::Store(hn::BitCast(bits, hn::DemoteTo(whole, value)), bits, at);
+        };
+        store(from, first);
+        store(hn::Max(hn::Sub(to, from), hn::Zero(d)), count);
+    }
+
+    alignas(64) std::uint32_t first_[2][block_size]; ///< Of columns and of rows.
+    alignas(64) std::uint32_t count_[2][block_size];
+    std::uint32_t of_many_ = 0;
+    std::size_t few_count_ = 0;
+    std::uint8_t few_[block_size];
 };
 
 /// The pairs of triangles that have few lines, by triangle.
 struct Pairs {
-    static constexpr std::size_t most = block_size * few * few;
+    static constexpr std::size_t most = block_size * few;
 
     std::uint32_t count = 0;
-    std::uint32_t end_of[block_size]; ///< The end of each triangle's pairs.
-    std::uint32_t lines[most + few];  ///< Writes go in groups of `few`, so they may pass `count`.
+    alignas(16) std::uint32_t lines[most + few]; ///< A whole vector is written for each triangle.
     std::uint8_t triangles[most + few];
 
-    HWY_INLINE Pairs(const BlockAcross& placed, const Spans& spans, std::uint32_t columns) {
-        for (std::uint32_t triangle = 0; triangle < placed.count; ++triangle) {
-            if (!spans.is_of_many(triangle)) {
-                add(triangle, spans.columns[triangle], spans.rows[triangle], columns);
+    HWY_INLINE Pairs(const Spans& spans, std::uint32_t columns) {
+        // Where the lines of a triangle are, by the count of its columns.
+        const std::uint32_t from_first[few + 1][few] = {{},
+                                                        {0, columns, 2 * columns, 3 * columns},
+                                                        {0, 1, columns, columns + 1},
+                                                        {0, 1, 2, 3},
+                                                        {0, 1, 2, 3}};
+        for (const std::uint8_t triangle : spans.of_few()) {
+            const Span of_columns = spans.columns(triangle);
+            const Span of_rows = spans.rows(triangle);
+            const std::uint32_t first = of_rows.first * columns + of_columns.first;
+            for (std::uint32_t i = 0; i < few; ++i) {
+                lines[count + i] = first + from_first[of_columns.count][i];
+                triangles[count + i] = triangle;
             }
-            end_of[triangle] = count;
-        }
-    }
-
-  private:
-    /// Adds the pairs of a triangle. Has no branch on the number of rows, which a processor cannot
-    /// predict.
-    HWY_INLINE void add(std::uint32_t triangle, Span column, Span row, std::uint32_t columns) {
-        std::uint32_t line = row.first * columns + column.first;
-        for (std::uint32_t i = 0; i < few; ++i) {
-            for (std::uint32_t k = 0; k < few; ++k) {
-                lines[count + k] = line + k;
-                triangles[count + k] = static_cast<std::uint8_t>(triangle);
-            }
-            count += i < row.count ? column.count : 0;
-            line += columns;
+            count += of_columns.count * of_rows.count;
         }
     }
 };
 
-/// The end points of a triangle's edges, projected along the lines. The fourth edge repeats the
-/// first one.
-struct Edges {
-    alignas(32) double from_x[4];
-    alignas(32) double from_y[4];
-    alignas(32) double to_x[4];
-    alignas(32) double to_y[4];
+/// Corners of triangles across the lines, one triangle after the other.
+struct CornersInTurn {
+    static constexpr std::size_t spare = 8; ///< Slots that are written as parts of a vector.
 
-    HWY_INLINE Edges() {}
+    alignas(64) double first_two[block_size * few + spare][4]; ///< Each x and y.
+    alignas(64) double third[block_size * few + spare][4];     ///< Followed by the bound of turns.
 
-    HWY_INLINE void set(const BlockAcross& placed, std::size_t triangle) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            from_x[i] = placed.corners[1][i % 3][triangle];
-            from_y[i] = placed.corners[2][i % 3][triangle];
-            to_x[i] = placed.corners[1][(i + 1) % 3][triangle];
-            to_y[i] = placed.corners[2][(i + 1) % 3][triangle];
-        }
-    }
-};
+    HWY_INLINE CornersInTurn() {}
 
-/// For each edge of a triangle one bit: whether it certainly turns left, or right, around a line.
-struct EdgeSigns {
-    std::uint32_t left = 0;
-    std::uint32_t right = 0;
-
-    static constexpr std::uint32_t all = 7;
-
-    HWY_INLINE EdgeSigns(const Edges& edges, double error, double line_x, double line_y) {
+    HWY_INLINE void copy(std::size_t from, const CornersInTurn& of, std::size_t to) {
         const hn::CappedTag<double, 4> d;
-        const auto x = hn::Set(d, line_x);
-        const auto y = hn::Set(d, line_y);
         for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
-            const auto turns = bundle::turn(hn::Sub(hn::Load(d, edges.from_x + i), x),
-                                            hn::Sub(hn::Load(d, edges.from_y + i), y),
-                                            hn::Sub(hn::Load(d, edges.to_x + i), x),
-                                            hn::Sub(hn::Load(d, edges.to_y + i), y));
-            left |= bits_of(d, hn::Gt(turns, hn::Set(d, error))) << i;
-            right |= bits_of(d, hn::Lt(turns, hn::Set(d, -error))) << i;
+            hn::Store(hn::Load(d, of.first_two[from] + i), d, first_two[to] + i);
+            hn::Store(hn::Load(d, of.third[from] + i), d, third[to] + i);
         }
-        left &= all;
-        right &= all;
+    }
+    /// Sets the triangles of a block.
+    HWY_INLINE void set(const BlockAcross& placed) {
+        const Doubles d;
+        for (std::size_t i = 0; i < placed.count; i += lanes) {
+            const auto corner = [&](std::size_t which, std::size_t number) {
+                return hn::Load(d, &placed.corners[1 + which][number][i]);
+            };
+            const V error = hn::Load(d, &placed.turn_error[i]);
+            hn::StoreInterleaved4(
+                corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1), d, first_two[i]);
+            hn::StoreInterleaved4(corner(0, 2), corner(1, 2), error, error, d, third[i]);
+        }
+    }
+    /// Returns a vector of triangles.
+    [[nodiscard]] HWY_INLINE Target target(std::size_t i) const {
+        const Doubles d;
+        Target target;
+        V unused;
+        hn::LoadInterleaved4(d, first_two[i], target.x[0], target.y[0], target.x[1], target.y[1]);
+        hn::LoadInterleaved4(d, third[i], target.x[2], target.y[2], target.error, unused);
+        return target;
     }
 };
+
+/// Bit masks of pairs.
+struct FewMarks {
+    std::uint64_t left = 0;
+    std::uint64_t right = 0;
+    std::uint64_t open = 0;
+};
+
+HWY_INLINE FewMarks marks_of(const Pairs& pairs, const BlockAcross& placed, const LineRows& lines) {
+    static_assert(Pairs::most <= 64);
+    CornersInTurn of_block;
+    of_block.set(placed);
+    CornersInTurn of_pairs;
+    alignas(64) double line_x[Pairs::most + lanes];
+    alignas(64) double line_y[Pairs::most + lanes];
+    for (std::uint32_t i = 0; i < pairs.count; ++i) {
+        const std::uint32_t line = pairs.lines[i];
+        of_pairs.copy(pairs.triangles[i], of_block, i);
+        line_x[i] = lines.across[0][line];
+        line_y[i] = lines.across[1][line];
+    }
+    FewMarks marks;
+    for (std::uint32_t i = 0; i < pairs.count; i += lanes) {
+        const Doubles d;
+        const std::uint32_t valid =
+            pairs.count - i >= lanes ? (1u << lanes) - 1 : (1u << (pairs.count - i)) - 1;
+        const Marks each = bundle::marks_of(
+            of_pairs.target(i), hn::Load(d, line_x + i), hn::Load(d, line_y + i), valid);
+        marks.left |= std::uint64_t{each.left} << i;
+        marks.right |= std::uint64_t{each.right} << i;
+        marks.open |= std::uint64_t{each.open} << i;
+    }
+    return marks;
+}
 
 /// Marks the pairs of triangles that have few lines.
 void mark_few(const BlockAcross& placed,
               const Spans& spans,
               const LineRows& lines,
               MarkedPairs& to) {
-    const Pairs pairs(placed, spans, lines.columns);
-    Edges edges[block_size];
-    for (std::uint32_t triangle = 0; triangle < placed.count; ++triangle) {
-        edges[triangle].set(placed, triangle);
-    }
+    const Pairs pairs(spans, lines.columns);
+    const FewMarks marks = marks_of(pairs, placed, lines);
     to.tested += pairs.count;
-    std::uint32_t turning_left = 0;
-    std::uint32_t passes[Pairs::most]; // The number of lines that pass, after each pair.
-    for (std::uint32_t i = 0; i < pairs.count; ++i) {
-        const std::uint32_t triangle = pairs.triangles[i];
-        const std::uint32_t line = pairs.lines[i];
-        const EdgeSigns signs(edges[triangle],
-                              placed.turn_error[triangle],
-                              lines.across[0][line],
-                              lines.across[1][line]);
-        const std::uint32_t is_left = signs.left == EdgeSigns::all ? 1u : 0u;
-        const std::uint32_t is_right = signs.right == EdgeSigns::all ? 1u : 0u;
-        const std::uint32_t is_inside = is_left | is_right;
-        const std::uint32_t is_passing = is_inside & placed.between >> triangle;
-        const bool is_missing = (signs.left != 0) & (signs.right != 0);
-        turning_left |= is_left << triangle;
-        to.passing[to.passes] = line;
-        to.passes += is_passing;
-        passes[i] = to.passes;
-        if (!is_missing && is_passing == 0) {
-            to.open_triangles[to.open] = static_cast<std::uint8_t>(triangle);
-            to.open_lines[to.open++] = line;
+    std::uint64_t passing = marks.left | marks.right;
+    std::uint64_t open = marks.open;
+    if (placed.between != (1u << placed.count) - 1) {
+        for (std::uint32_t i = 0; i < pairs.count; ++i) {
+            const std::uint64_t is_between = placed.between >> pairs.triangles[i] & 1;
+            open |= passing & (is_between ^ 1) << i;
         }
+        passing &= ~open;
     }
-    std::uint32_t begin = 0;
-    for (std::uint32_t triangle = 0; triangle < placed.count; ++triangle) {
-        const std::uint32_t of = pairs.end_of[triangle];
-        const std::uint32_t end = of == 0 ? 0 : passes[of - 1];
-        to.of_triangles[to.runs] = {triangle, begin, (turning_left >> triangle & 1) != 0};
-        to.runs += end > begin ? 1 : 0;
-        begin = end;
+    MarkedPairs::Run run{block_size, 0, false};
+    for (; passing != 0; passing &= passing - 1) {
+        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing);
+        const std::uint32_t triangle = pairs.triangles[i];
+        const bool is_new = triangle != run.triangle;
+        run = {triangle, is_new ? to.passes : run.begin, (marks.left >> i & 1) != 0};
+        to.runs += is_new ? 1 : 0;
+        to.of_triangles[to.runs - 1] = run;
+        to.passing[to.passes++] = pairs.lines[i];
+    }
+    for (; open != 0; open &= open - 1) {
+        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero64(open);
+        to.open_triangles[to.open] = pairs.triangles[i];
+        to.open_lines[to.open++] = pairs.lines[i];
     }
 }
 
-/// Appends the selected lines of a vector of consecutive lines to those that pass. With few lanes
-/// a loop without branches is faster than CompressBits, which reads a table.
+/// Adds lines that follow each other to those that pass, without a branch where lanes are few and
+/// a table of their orders would be in the way.
 HWY_INLINE void add_passing(std::uint32_t which, std::uint32_t first, MarkedPairs& to) {
     if constexpr (lanes <= 4) {
         for (std::uint32_t i = 0; i < lanes; ++i) {
@@ -223,8 +268,8 @@ bool mark_many(const BlockAcross& placed,
                MarkedPairs& to) {
     const Doubles d;
     const std::uint32_t triangle = walk.triangle;
-    const Span columns = spans.columns[triangle];
-    const Span rows = spans.rows[triangle];
+    const Span columns = spans.columns(triangle);
+    const Span rows = spans.rows(triangle);
     const Target target(placed, triangle);
     const std::uint32_t passing_lanes = (placed.between >> triangle & 1) != 0 ? ~0u : 0u;
     MarkedPairs::Run& run = to.of_triangles[to.runs];
@@ -274,7 +319,7 @@ bool mark_grid_pairs_on(const BlockAcross* placed,
         walk->are_few_done = true;
     }
     for (; walk->triangle < placed->count; *walk = {walk->triangle + 1, 0, 0, true}) {
-        if (spans.is_of_many(walk->triangle) &&
+        if ((spans.of_many() >> walk->triangle & 1) != 0 &&
             !mark_many(*placed, spans, *lines, *walk, *marked)) {
             return false;
         }

@@ -194,7 +194,9 @@ BundleAcross bundle_across(const ParallelLines& lines, double error, double boun
                               static_cast<double>(steps.count() - 1),
                               lines.bin_size(which),
                               steps.least.data(),
-                              steps.most.data()};
+                              steps.most.data(),
+                              steps.steps_per_length,
+                              steps.slack};
     }
     const auto [least, most] = std::minmax(lines.ends()[0], lines.ends()[1]);
     across.ends = {least, most};

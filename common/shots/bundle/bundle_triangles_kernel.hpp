@@ -20,6 +20,8 @@ struct BundleAcross {
         double bin_size = 0;
         const double* least_of_bins = nullptr; ///< LineSteps::least.
         const double* most_of_bins = nullptr;
+        double steps_per_length = 0; ///< LineSteps::steps_per_length.
+        double slack = 0;
     };
     /// The terms of the bound of a turn, for corners that are within S of a line, the sum of the
     /// bounds for both axes: `constant` + `linear` * S + `square` * S * S.

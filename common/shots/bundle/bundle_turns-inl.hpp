@@ -32,8 +32,11 @@ HWY_INLINE Vec turn(Vec from_x, Vec from_y, Vec to_x, Vec to_y) {
     return hn::Sub(hn::Mul(from_x, to_y), hn::Mul(from_y, to_x));
 }
 
-/// A triangle's corners across the lines and the bound of its turns, the same in all lanes.
+/// Each lane's triangle: its corners across the lines and the bound of its turns.
 struct Target {
+    HWY_INLINE Target() {}
+
+    /// Selects one triangle for all lanes.
     HWY_INLINE Target(const BlockAcross& placed, std::size_t triangle)
         : error(hn::Set(Doubles(), placed.turn_error[triangle])) {
         for (std::size_t i = 0; i < 3; ++i) {

@@ -12,6 +12,9 @@ namespace {
 /// Boxes of more columns and rows than this hold a line nearly always.
 constexpr std::uint32_t looked_at_most = 3;
 
+/// Columns and rows that differ by more from even ones are no grid.
+constexpr double slack_most = 0x1p-6;
+
 /// Returns the only axis along which a line's ends differ; nothing if there are none or several.
 std::optional<std::size_t> axis_of(const Segment& line) {
     std::optional<std::size_t> axis;
@@ -25,6 +28,20 @@ std::optional<std::size_t> axis_of(const Segment& line) {
         }
     }
     return axis;
+}
+
+/// Measures the spacing of a grid's columns or rows. Returns false if they are not even.
+bool note_spacing(LineSteps& steps) {
+    const std::size_t last = steps.least.size() - 1;
+    const double size = steps.least[last] - steps.least[0];
+    // A large factor tells coordinates from that of a single column.
+    steps.steps_per_length = last == 0 ? 0x1p20 : static_cast<double>(last) / size;
+    steps.slack = 0;
+    for (std::size_t i = 0; i <= last; ++i) {
+        const double place = (steps.least[i] - steps.least[0]) * steps.steps_per_length;
+        steps.slack = std::max(steps.slack, std::abs(place - static_cast<double>(i)));
+    }
+    return std::isfinite(steps.steps_per_length) && steps.slack < slack_most;
 }
 
 } // namespace
@@ -87,12 +104,27 @@ bool ParallelLines::add(const Segment& line, std::uint32_t slot) {
     return true;
 }
 
-/// Chooses cells that are about as wide as high, one a line.
+/// Returns the number of the lines' coordinates on an axis across.
+std::size_t ParallelLines::distinct(std::size_t which) const {
+    std::vector<double> coordinates;
+    coordinates.reserve(unsorted_.size());
+    for (const Unsorted& line : unsorted_) {
+        coordinates.push_back(line.across[which]);
+    }
+    std::ranges::sort(coordinates);
+    const auto repeated = std::ranges::unique(coordinates);
+    return coordinates.size() - repeated.size();
+}
+
+/// Chooses the columns and rows of a grid; else cells that are about as wide as high, one a line.
 void ParallelLines::choose_bins() {
     const auto lines = static_cast<double>(unsorted_.size());
     const std::array<double, 2> size{most_[0] - least_[0], most_[1] - least_[1]};
+    const std::array<std::size_t, 2> distinct{this->distinct(0), this->distinct(1)};
     std::array<double, 2> counts{1, 1};
-    if (size[0] > 0 && size[1] > 0) {
+    if (distinct[0] * distinct[1] == unsorted_.size()) {
+        counts = {static_cast<double>(distinct[0]), static_cast<double>(distinct[1])};
+    } else if (size[0] > 0 && size[1] > 0) {
         counts[0] = std::clamp(std::round(std::sqrt(lines * (size[0] / size[1]))), 1.0, lines);
         counts[1] = std::ceil(lines / counts[0]);
     } else {
@@ -152,10 +184,11 @@ void ParallelLines::note_steps() {
             const double least = steps.least[i] - middle[which];
             const double most = steps.most[i] - middle[which];
             const double margin = 0x1p-22 * half()[which];
-            is_grid_ = is_grid_ && least == most;
+            is_grid_ = is_grid_ && steps.least[i] == steps.most[i];
             steps.least_from_middle[i] = static_cast<float>(least - margin);
             steps.most_from_middle[i] = static_cast<float>(most + margin);
         }
+        is_grid_ = is_grid_ && note_spacing(steps);
     }
 }
 

@@ -22,6 +22,10 @@ struct LineSteps {
     /// The same relative to the lines' middle, rounded outwards.
     std::vector<float> least_from_middle;
     std::vector<float> most_from_middle;
+    /// Of a grid: times the distance of a coordinate from the first one, this is the number of the
+    /// column or row at it, within `slack`. Doubles compute it so, and it never falls.
+    double steps_per_length = 1;
+    double slack = 0;
 
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(least.size()); }
 };
@@ -83,8 +87,9 @@ class ParallelLines {
         const auto last = static_cast<double>(steps.count() - 1);
         return static_cast<std::uint32_t>(std::min(std::max(place, 0.0), last));
     }
-    /// Returns whether the lines are those of a grid, all columns times all rows. Then each bin has
-    /// one line, and a box whose two intervals hold coordinates of lines holds a line.
+    /// Returns whether the lines are those of a grid, all columns times all rows, each evenly
+    /// spaced. Then each bin has one line, and a box whose two intervals hold coordinates of lines
+    /// holds a line.
     [[nodiscard]] bool is_grid() const { return is_grid_; }
     /// Returns whether a box across the axis may hold a line. Looks only into few
     /// bins, and returns true for a box of many.
@@ -101,6 +106,7 @@ class ParallelLines {
 
   private:
     [[nodiscard]] bool add(const Segment& line, std::uint32_t slot);
+    [[nodiscard]] std::size_t distinct(std::size_t which) const;
     void choose_bins();
     void sort_into_bins();
     void note_steps();

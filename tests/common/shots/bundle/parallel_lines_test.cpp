@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace cd::tests {
@@ -97,6 +98,51 @@ TEST(ParallelLines, ABoxThatHoldsALineIsNeverRefused) {
         refused += lines.may_hold({at[0] + 0.02, at[1] + 0.02}, {at[0] + 0.1, at[1] + 0.1}) ? 0 : 1;
     }
     EXPECT_GT(refused, 100);
+}
+
+TEST(ParallelLines, AGridMayHaveAnyShape) {
+    std::mt19937_64 random(1);
+    for (const std::array<int, 2> counts :
+         {std::array{40, 8}, {8, 40}, {64, 64}, {37, 3}, {1, 9}, {9, 1}, {1, 1}}) {
+        for (const double stretch : {1.0, 0.1, 7.0}) {
+            std::vector<Segment> given = grid_lines(random, 0, counts, 0.3, 0, {-1, 5});
+            for (Segment& line : given) {
+                line.p.z() *= stretch;
+                line.q.z() *= stretch;
+            }
+            const ObbTree tree = make_tree(mesh_of(given));
+            ParallelLines lines;
+            ASSERT_TRUE(lines.assign(tree.view().wide));
+            ASSERT_TRUE(lines.is_grid());
+            for (std::size_t which = 0; which < 2; ++which) {
+                const LineSteps& steps = lines.steps(which);
+                ASSERT_EQ(steps.count(), static_cast<std::uint32_t>(counts[which]));
+                EXPECT_LT(steps.slack, 1e-12);
+                for (std::uint32_t i = 0; i < steps.count(); ++i) {
+                    const double place = (steps.least[i] - steps.least[0]) * steps.steps_per_length;
+                    EXPECT_LE(std::abs(place - i), steps.slack);
+                }
+            }
+        }
+    }
+}
+
+TEST(ParallelLines, UnevenColumnsAreNoGrid) {
+    const auto is_grid = [](double moved) {
+        std::vector<Segment> given;
+        for (const double y : {0.0, 1.0, 2.0 + moved, 3.0}) {
+            for (const double z : {0.0, 1.0, 2.0}) {
+                given.push_back({Vec3(-1, y, z), Vec3(1, y, z)});
+            }
+        }
+        const ObbTree tree = make_tree(mesh_of(given));
+        ParallelLines lines;
+        return lines.assign(tree.view().wide) && lines.is_grid();
+    };
+    EXPECT_TRUE(is_grid(0));
+    EXPECT_TRUE(is_grid(0.005));
+    EXPECT_FALSE(is_grid(0.1));
+    EXPECT_FALSE(is_grid(-0.5));
 }
 
 TEST(ParallelLines, SlotsAreThoseOfTheBlocks) {
