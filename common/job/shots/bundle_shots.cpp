@@ -52,7 +52,8 @@ class LinesByBundle {
 
 struct BundleShots::State {
     struct Scratch {
-        std::vector<std::uint32_t> kept;
+        std::vector<PassedTriangle> triangles;
+        std::vector<std::uint32_t> lines;
         std::vector<Candidate> open;
     };
 
@@ -80,46 +81,52 @@ struct BundleShots::State {
     }
 
     /// Adds hits of lines, as long as there are at most `most`.
-    void add_passes(const BundleSearch::Found& found, const KnownLines& of, std::uint64_t most) {
+    void add_passes(const BundleSearch::Found& all, const KnownLines& of, std::uint64_t most) {
+        const BundleSearch::Found found = without_ignored(all, of);
+        count += found.lines.size();
+        if (!needs_depths || count > most) {
+            return;
+        }
+        const std::uint32_t begin = passes.count();
+        passes.grow(found.lines.size());
+        for (std::size_t i = 0; i < found.lines.size(); ++i) {
+            const std::uint32_t slot = of.lines.slots()[found.lines[i]];
+            passes.slots[begin + i] = slot;
+            passes.lines[begin + i] = of.ids[slot];
+        }
         const TriangleBlocks& a = pairs.back().a.wide.triangles;
+        const auto number = static_cast<std::uint32_t>(pairs.size() - 1);
         for (std::size_t i = 0; i < found.triangles.size(); ++i) {
             const PassedTriangle& passed = found.triangles[i];
-            const std::uint32_t triangle = a.ids[passed.slot];
-            const std::span<const std::uint32_t> of_triangle =
-                without_ignored(triangle, found.lines_of(i), of);
-            count += of_triangle.size();
-            if (needs_depths && !of_triangle.empty() && count <= most) {
-                const auto number = static_cast<std::uint32_t>(pairs.size() - 1);
-                passes.groups.push_back(
-                    {triangle, passed.slot, number, passes.count(), passed.flags});
-                const std::size_t end = passes.count() + of_triangle.size();
-                passes.slots.resize(end);
-                passes.lines.resize(end);
-                auto slot = passes.slots.end() - std::ssize(of_triangle);
-                auto id = passes.lines.end() - std::ssize(of_triangle);
-                for (const std::uint32_t line : of_triangle) {
-                    *slot = of.lines.slots()[line];
-                    *id++ = of.ids[*slot++];
-                }
-                depths.add(a.corners_at(passed.slot), of_triangle);
-            }
+            passes.groups.push_back(
+                {a.ids[passed.slot], passed.slot, number, begin + passed.begin, passed.flags});
+            depths.add(a, passed.slot, found.lines_of(i));
         }
         const std::span<const double> taken = depths.take();
         passes.depths.insert(passes.depths.end(), taken.begin(), taken.end());
     }
 
-    /// Returns those places of lines that a triangle may hit. Valid until the next call.
-    [[nodiscard]] std::span<const std::uint32_t> without_ignored(
-        std::uint32_t triangle, std::span<const std::uint32_t> places, const KnownLines& of) {
+    /// Returns what triangles may hit of the found. Valid until the next call.
+    [[nodiscard]] BundleSearch::Found without_ignored(const BundleSearch::Found& found,
+                                                      const KnownLines& of) {
         if (ignored.empty()) {
-            return places;
+            return found;
         }
-        std::vector<std::uint32_t>& kept = scratch.kept;
-        kept.clear();
-        std::ranges::copy_if(places, std::back_inserter(kept), [&](std::uint32_t place) {
-            return !is_ignored_pair(triangle, of.ids[of.lines.slots()[place]]);
-        });
-        return kept;
+        scratch.triangles.clear();
+        scratch.lines.clear();
+        for (std::size_t i = 0; i < found.triangles.size(); ++i) {
+            PassedTriangle passed = found.triangles[i];
+            const std::uint32_t triangle = pairs.back().a.wide.triangles.ids[passed.slot];
+            passed.begin = static_cast<std::uint32_t>(scratch.lines.size());
+            std::ranges::copy_if(
+                found.lines_of(i), std::back_inserter(scratch.lines), [&](std::uint32_t place) {
+                    return !is_ignored_pair(triangle, of.ids[of.lines.slots()[place]]);
+                });
+            if (scratch.lines.size() > passed.begin) {
+                scratch.triangles.push_back(passed);
+            }
+        }
+        return {scratch.triangles, scratch.lines, found.open};
     }
 
     void decide_open(std::span<const Candidate> given, FoundContacts& found) {

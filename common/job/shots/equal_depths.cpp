@@ -5,11 +5,13 @@
 
 namespace cd {
 
-void EqualDepths::restart(std::span<const std::uint32_t> lines, std::span<const double> depths) {
+void EqualDepths::restart(std::span<const std::uint32_t> lines,
+                          std::span<const double> depths,
+                          std::size_t added_most) {
     lines_ = lines;
     depths_ = depths;
     // At most half of the table is in use.
-    const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * lines.size(), 2));
+    const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * added_most, 2));
     table_.assign(size, none);
     shift_ = 64 - static_cast<unsigned>(std::countr_zero(size));
 }

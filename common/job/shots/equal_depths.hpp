@@ -13,9 +13,11 @@ class EqualDepths {
   public:
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// Starts over with the lines and depths of all hits, which live until the last `add`. No depth
-    /// that is added is NaN.
-    void restart(std::span<const std::uint32_t> lines, std::span<const double> depths);
+    /// Starts over with the lines and depths of all hits, which live until the last `add`. At most
+    /// `added_most` are added, and none with the depth NaN.
+    void restart(std::span<const std::uint32_t> lines,
+                 std::span<const double> depths,
+                 std::size_t added_most);
 
     /// Adds a hit, by its index. Returns another one of the line that has been added and has the
     /// same depth, and keeps that one alone; else none.

@@ -28,6 +28,11 @@ struct Passes {
         slots.clear();
         depths.clear();
     }
+    /// Adds hits with unset members.
+    void grow(std::size_t hits) {
+        lines.resize(lines.size() + hits);
+        slots.resize(slots.size() + hits);
+    }
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(lines.size()); }
     /// Returns the index behind the last hit of a group.
     [[nodiscard]] std::uint32_t end_of(std::size_t group) const {

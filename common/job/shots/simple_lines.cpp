@@ -3,10 +3,20 @@
 #include "common/shots/line_hit.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 
 namespace cd {
+
+namespace {
+
+/// Returns a number below 64. Fibonacci hashing: see EqualDepths.
+unsigned hash_of(double depth) {
+    return static_cast<unsigned>(std::bit_cast<std::uint64_t>(depth) * 0x9e3779b97f4a7c15 >> 58);
+}
+
+} // namespace
 
 void SimpleLines::restart(const Passes& passes, std::span<const SubtreePair> pairs) {
     passes_ = &passes;
@@ -38,19 +48,44 @@ void SimpleLines::find_open(const FoundContacts& found) {
         }
     }
     const Passes& p = *passes_;
-    depths_.restart(p.lines, p.depths);
-    for (std::size_t group = 0; group < p.groups.size(); ++group) {
-        for (std::uint32_t i = p.groups[group].begin; i < p.end_of(group); ++i) {
-            if (std::isnan(p.depths[i])) {
-                open(p.lines[i]);
-                continue;
-            }
-            const std::uint32_t earlier = depths_.add(i);
-            if (earlier != none && !is_at_one_place(group, earlier)) {
-                open(p.lines[i]);
-            }
+    const std::span<const std::uint32_t> doubtful = find_doubtful();
+    depths_.restart(p.lines, p.depths, doubtful.size());
+    std::size_t group = 0;
+    for (const std::uint32_t i : doubtful) {
+        if (std::isnan(p.depths[i])) {
+            open(p.lines[i]);
+            continue;
+        }
+        while (i >= p.end_of(group)) {
+            ++group;
+        }
+        const std::uint32_t earlier = depths_.add(i);
+        if (earlier != none && !is_at_one_place(group, earlier)) {
+            open(p.lines[i]);
         }
     }
+}
+
+/// Returns the hits of lines of which two depths may be equal or some depth is not known, in
+/// ascending order.
+std::span<const std::uint32_t> SimpleLines::find_doubtful() {
+    const Passes& p = *passes_;
+    bool are_some = false;
+    for (std::uint32_t i = 0; i < p.count(); ++i) {
+        Line& line = lines_[p.lines[i]];
+        const std::uint64_t bit = std::uint64_t{1} << hash_of(p.depths[i]);
+        const bool is_doubtful = ((line.depths & bit) != 0) | std::isnan(p.depths[i]);
+        line.depths |= bit;
+        line.is_doubtful |= is_doubtful;
+        are_some |= is_doubtful;
+    }
+    doubtful_.resize(are_some ? p.count() : 0);
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; are_some && i < p.count(); ++i) {
+        doubtful_[count] = i;
+        count += lines_[p.lines[i]].is_doubtful ? 1 : 0;
+    }
+    return std::span(doubtful_).first(count);
 }
 
 void SimpleLines::open(std::uint32_t line) {
@@ -150,13 +185,19 @@ SettledHits SimpleLines::sorted(bool only_first) {
         for (++end; end < order.size() && triangles_[order[end]] == first.triangle;) {
             ++end;
         }
-        const auto begin_of_group = p.lines.begin() + first.begin;
-        const auto end_of_group = p.lines.begin() + p.end_of(order[begin]);
-        if (are_all_kept && end - begin == 1 && std::is_sorted(begin_of_group, end_of_group)) {
+        if (are_all_kept && end - begin == 1) {
+            const std::size_t before = count;
+            std::uint32_t line = 0;
+            bool are_ordered = true;
             for (std::uint32_t i = first.begin; i < p.end_of(order[begin]); ++i) {
                 keep(first, i);
+                are_ordered &= line <= p.lines[i];
+                line = p.lines[i];
             }
-            continue;
+            if (are_ordered) {
+                continue;
+            }
+            count = before;
         }
         for (const std::uint32_t i : kept_of(order.subspan(begin, end - begin), only_first)) {
             keep(first, i);

@@ -76,13 +76,43 @@ struct Lines {
           minus_way(set(bundle.minus_way)) {}
 };
 
-/// The depths of triangles' planes, by triangle: at the line at (y, z), the depth is
-/// high[0] + low[0] + y (high[1] + low[1]) + z (high[2] + low[2]), within the margin. That is NaN
+/// The depths of triangles' planes, one triangle after the other: at the line at (y, z), the depth
+/// is high_0 + low_0 + y (high_1 + low_1) + z (high_2 + low_2), within the margin. That is NaN
 /// where there are no bounds.
 struct Planes {
-    alignas(64) DepthsOfMany::OfTriangles high[3];
-    alignas(64) DepthsOfMany::OfTriangles low[3];
-    alignas(64) DepthsOfMany::OfTriangles margin;
+    static constexpr std::size_t numbers = 4;
+
+    template <std::size_t count>
+    using Of = double[count][numbers];
+
+    alignas(64) Of<DepthsOfMany::triangles_most> first;  ///< high_0, low_0, high_1, low_1
+    alignas(64) Of<DepthsOfMany::triangles_most> second; ///< high_2, low_2, margin, margin
+
+    HWY_INLINE Planes() {}
+};
+
+/// The planes of a vector of lines.
+struct PlanesOfLines {
+    Number terms[3];
+    V margin;
+
+    HWY_INLINE PlanesOfLines(const Planes& planes, const std::uint32_t* triangles) {
+        const Doubles d;
+        constexpr std::size_t lines_most = hn::MaxLanes(d);
+        const hn::CappedTag<double, Planes::numbers> part;
+        alignas(64) Planes::Of<lines_most> first;
+        alignas(64) Planes::Of<lines_most> second;
+        for (std::size_t line = 0; line < hn::Lanes(d); ++line) {
+            const std::uint32_t triangle = triangles[line];
+            for (std::size_t i = 0; i < Planes::numbers; i += hn::MaxLanes(part)) {
+                hn::Store(hn::Load(part, planes.first[triangle] + i), part, first[line] + i);
+                hn::Store(hn::Load(part, planes.second[triangle] + i), part, second[line] + i);
+            }
+        }
+        V unused;
+        hn::LoadInterleaved4(d, first[0], terms[0].high, terms[0].low, terms[1].high, terms[1].low);
+        hn::LoadInterleaved4(d, second[0], terms[2].high, terms[2].low, margin, unused);
+    }
 };
 
 /// Finds the planes of one vector of triangles.
@@ -125,51 +155,40 @@ HWY_INLINE void find_planes_at(const BundleInA& bundle,
                              scaled(terms, 10.1 * e * scale));
     const M is_known =
         hn::And(hn::And(is_in_range(x), is_in_range(z)), hn::Gt(size, scaled(error, 4)));
-    for (std::size_t i = 0; i < 3; ++i) {
-        hn::Store(depths[i].high, d, &planes.high[i][first]);
-        hn::Store(depths[i].low, d, &planes.low[i][first]);
-    }
-    hn::Store(choose(is_known, margin, double_double_lanes::set(NAN)), d, &planes.margin[first]);
+    const V bound = choose(is_known, margin, double_double_lanes::set(NAN));
+    hn::StoreInterleaved4(
+        depths[0].high, depths[0].low, depths[1].high, depths[1].low, d, planes.first[first]);
+    hn::StoreInterleaved4(depths[2].high, depths[2].low, bound, bound, d, planes.second[first]);
 }
 
-/// Finds the depths of a triangle's lines, NaN where the margin proves no rounding. Returns the
-/// lanes all of whose depths are proven.
-HWY_INLINE M find_depths_of(const Planes& planes, std::size_t triangle, DepthsOfMany& many) {
+/// Finds the depths of a vector of lines, NaN where the margin proves no rounding. Returns the
+/// lanes whose depths are proven.
+HWY_INLINE M find_depths_at(const Planes& planes, std::size_t line, DepthsOfMany& many) {
     const Doubles d;
-    const auto term = [&](std::size_t i) {
-        return Number(double_double_lanes::set(planes.high[i][triangle]),
-                      double_double_lanes::set(planes.low[i][triangle]));
-    };
-    const Number depth_at_0 = term(0);
-    const Number along_y = term(1);
-    const Number along_z = term(2);
-    const V margin = double_double_lanes::set(planes.margin[triangle]);
-    const std::size_t end = many.begins[triangle + 1];
-    M are_proven = always();
-    for (std::size_t i = many.begins[triangle]; i < end; i += hn::Lanes(d)) {
-        const V y = hn::LoadU(d, &many.across[0][i]);
-        const V z = hn::LoadU(d, &many.across[1][i]);
-        const Number depth = depth_at_0 + (along_y * y + along_z * z);
-        const V least = hn::Add(depth.high, hn::Sub(depth.low, margin));
-        const V most = hn::Add(depth.high, hn::Add(depth.low, margin));
-        const M is_proven = hn::Eq(least, most);
-        hn::StoreU(choose(is_proven, least, double_double_lanes::set(NAN)), d, &many.depths[i]);
-        are_proven = hn::And(are_proven, is_proven);
-    }
-    return are_proven;
+    const PlanesOfLines of(planes, &many.triangles[line]);
+    const V y = hn::Load(d, &many.across[0][line]);
+    const V z = hn::Load(d, &many.across[1][line]);
+    const Number depth = of.terms[0] + (of.terms[1] * y + of.terms[2] * z);
+    const V least = hn::Add(depth.high, hn::Sub(depth.low, of.margin));
+    const V most = hn::Add(depth.high, hn::Add(depth.low, of.margin));
+    const M is_proven = hn::Eq(least, most);
+    hn::Store(choose(is_proven, least, double_double_lanes::set(NAN)), d, &many.depths[line]);
+    return is_proven;
 }
 
 bool find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
+    const Doubles d;
     const Lines lines(*bundle);
     Planes planes;
-    M are_proven = always();
-    for (std::size_t first = 0; first < count; first += hn::Lanes(Doubles())) {
+    for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
         find_planes_at(*bundle, lines, scale, *many, first, planes);
     }
-    for (std::size_t triangle = 0; triangle < count; ++triangle) {
-        are_proven = hn::And(are_proven, find_depths_of(planes, triangle, *many));
+    M are_proven = always();
+    const std::size_t end = many->begins[count];
+    for (std::size_t line = 0; line < end; line += hn::Lanes(d)) {
+        are_proven = hn::And(are_proven, find_depths_at(planes, line, *many));
     }
-    return hn::AllTrue(Doubles(), are_proven);
+    return hn::AllTrue(d, are_proven);
 }
 
 } // namespace bundle_depths

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace cd {
 
@@ -34,6 +35,8 @@ struct DepthsOfMany {
     alignas(64) std::array<std::array<OfTriangles, 3>, 3> corners; ///< By corner, then by axis.
     /// Where the lines of each triangle begin, and their count at the end.
     std::array<std::size_t, triangles_most + 1> begins;
+    /// The triangle of each line, also of spare ones.
+    std::array<std::uint32_t, lines_most + spare_lines> triangles;
     alignas(64) std::array<OfLines, 2> across; ///< The lines' places.
     alignas(64) OfLines depths;                ///< NaN where it is unproven.
 };

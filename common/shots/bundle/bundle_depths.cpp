@@ -175,7 +175,9 @@ std::optional<double> BundleDepths::aligned_depth(std::size_t triangle) const {
     return nearest_sum<4>({aligned_->sign * x, a, b, c});
 }
 
-void BundleDepths::add(const Corners& a, std::span<const std::uint32_t> lines) {
+void BundleDepths::add(const TriangleBlocks& a,
+                       std::uint32_t slot,
+                       std::span<const std::uint32_t> lines) {
     if (is_taken_) {
         depths_.clear();
         is_taken_ = false;
@@ -184,20 +186,32 @@ void BundleDepths::add(const Corners& a, std::span<const std::uint32_t> lines) {
         if (triangles_ == DepthsOfMany::triangles_most || lines_ == DepthsOfMany::lines_most) {
             find_waiting();
         }
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                many_->corners[i][k][triangles_] = a[i][static_cast<Eigen::Index>(k)];
-            }
-        }
-        many_->begins[triangles_++] = lines_;
+        add_triangle(a, slot);
+        const auto number = static_cast<std::uint32_t>(triangles_ - 1);
         const std::size_t count = std::min(lines.size(), DepthsOfMany::lines_most - lines_);
         for (const std::uint32_t line : lines.first(count)) {
             many_->across[0][lines_] = rows_.across[0][line];
             many_->across[1][lines_] = rows_.across[1][line];
+            many_->triangles[lines_] = number;
             ++lines_;
         }
         lines = lines.subspan(count);
     }
+}
+
+/// Adds a triangle whose lines are those that are added next.
+void BundleDepths::add_triangle(const TriangleBlocks& a, std::uint32_t slot) {
+    const std::size_t first = a.vertex_begin[slot / block_size];
+    const auto set = [&](const auto* coordinates) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto* const corner = coordinates + 3 * (first + a.corners[slot][i]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                many_->corners[i][k][triangles_] = double{corner[k]};
+            }
+        }
+    };
+    a.doubles.empty() ? set(a.floats.data()) : set(a.doubles.data());
+    many_->begins[triangles_++] = lines_;
 }
 
 std::span<const double> BundleDepths::take() {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/geometry/pose.hpp"
-#include "common/geometry/types.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/shots/bundle/bundle_depth_kernel.hpp"
 #include "common/shots/bundle/parallel_lines.hpp"
 
@@ -30,8 +30,9 @@ class BundleDepths {
     /// Selects poses that suit, and the bundle, which outlives all calls of `add`.
     void restart(const PosePair& poses, const ParallelLines& lines);
 
-    /// Adds a triangle of A and lines that pass through it, by their places in `LineRows`.
-    void add(const Corners& a, std::span<const std::uint32_t> lines);
+    /// Adds the triangle of A in a slot, and lines that pass through it, by their places in
+    /// `LineRows`.
+    void add(const TriangleBlocks& a, std::uint32_t slot, std::span<const std::uint32_t> lines);
     /// Returns the depths of all lines that were added since the last call, in that order, NaN
     /// where the bounds prove none. Valid until the next call of `add`.
     [[nodiscard]] std::span<const double> take();
@@ -47,6 +48,7 @@ class BundleDepths {
     [[nodiscard]] static std::optional<AlignedAxis> aligned_axis(const PosePair& poses,
                                                                  const ParallelLines& lines);
     [[nodiscard]] std::optional<double> aligned_depth(std::size_t triangle) const;
+    void add_triangle(const TriangleBlocks& a, std::uint32_t slot);
     void find_waiting();
     void align(std::size_t triangle);
 

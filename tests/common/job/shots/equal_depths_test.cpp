@@ -23,7 +23,7 @@ TEST(EqualDepths, AreThoseOfASet) {
             lines[i] = static_cast<std::uint32_t>(random() % lines_most);
             depths[i] = 0.1 + 0x1p-50 * static_cast<double>(random() % depths_most);
         }
-        table.restart(lines, depths);
+        table.restart(lines, depths, lines.size());
         std::set<std::pair<std::uint32_t, double>> seen;
         for (std::uint32_t i = 0; i < lines.size(); ++i) {
             const bool is_new = seen.emplace(lines[i], depths[i]).second;
@@ -43,10 +43,10 @@ TEST(EqualDepths, AreThoseOfASet) {
 
 TEST(EqualDepths, NoHitsAreFine) {
     EqualDepths table;
-    table.restart({}, {});
+    table.restart({}, {}, 0);
     const std::vector<std::uint32_t> lines{7};
     const std::vector<double> depths{1.5};
-    table.restart(lines, depths);
+    table.restart(lines, depths, lines.size());
     EXPECT_EQ(table.add(0), EqualDepths::none);
 }
 

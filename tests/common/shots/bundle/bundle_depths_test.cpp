@@ -28,11 +28,21 @@ std::vector<std::uint32_t> iota(std::size_t count) {
     return numbers;
 }
 
+/// Returns the block of one triangle, in floats if they hold it.
+TriangleBlockArrays block_of(const Corners& t) {
+    const std::vector<Vec3> vertices(t.begin(), t.end());
+    const Triangle triangle{0, 1, 2};
+    const std::uint32_t id = 0;
+    TriangleBlockArrays blocks(precision_of(vertices));
+    blocks.add({&triangle, 1}, {&id, 1}, vertices);
+    return blocks;
+}
+
 /// Returns the depth of one line and triangle, in the world.
 double alone(const ParallelLines& lines, const Corners& t, std::uint32_t place) {
     BundleDepths depths;
     depths.restart({}, lines);
-    depths.add(t, {&place, 1});
+    depths.add(block_of(t).view(), 0, {&place, 1});
     return depths.take()[0];
 }
 
@@ -62,7 +72,7 @@ void for_each_depth(const BundleCase& c, double bound_scale, const Judge& judge)
             const auto flags = exact.flags(t, line);
             if (flags && (*flags & hit_flag::crosses) != 0 &&
                 (*flags & (hit_flag::edge | hit_flag::corner)) == 0) {
-                depths.add(t, {&place, 1});
+                depths.add(block_of(t).view(), 0, {&place, 1});
                 judge(t, line, depths.take()[0]);
             }
         }
@@ -162,7 +172,7 @@ TEST(BundleDepths, ManyAreTakenAtOnce) {
         // The plane rises by 1 from y = -9 to 9.
         const Corners t{Vec3(x, -9, -9), Vec3(x + 1, 9, -9), Vec3(x + 0.5, 0, 18)};
         const std::span<const std::uint32_t> some = std::span(all).subspan(0, i % 65);
-        depths.add(t, some);
+        depths.add(block_of(t).view(), 0, some);
         for (const std::uint32_t place : some) {
             expected.push_back(alone(lines, t, place));
         }
