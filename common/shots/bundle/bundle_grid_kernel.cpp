@@ -1,7 +1,6 @@
-// The lines of a grid that are in a triangle's box are some columns times some rows. Most triangles
-// of a fine mesh have few: their pairs are listed without a branch and decided one by one, the
-// turns of a pair in one vector. Other triangles are decided row by row, a vector of lines at a
-// time.
+// A triangle's bounding box holds a rectangle of the grid's lines. Most triangles of a fine mesh
+// have few lines: the kernel lists the pairs of all these triangles without branches and decides a
+// vector of pairs at a time. It decides other triangles row by row, a vector of lines at a time.
 #include "common/shots/bundle/bundle_grid_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -30,10 +29,10 @@ using bundle::Marks;
 using bundle::Target;
 using bundle::V;
 
-/// Triangles of at most so many lines have few.
+/// A triangle has few lines if its box holds at most this many.
 constexpr std::uint32_t few = 4;
 
-/// Columns or rows that follow each other.
+/// A range of columns or rows.
 struct Span {
     std::uint32_t first;
     std::uint32_t count;
@@ -68,14 +67,15 @@ class Spans {
     }
     /// Returns a bit mask of the triangles that have more than a few lines.
     [[nodiscard]] HWY_INLINE std::uint32_t of_many() const { return of_many_; }
-    /// Returns those that have few, but some.
+    /// Returns the triangles that have few lines, but at least one.
     [[nodiscard]] HWY_INLINE std::span<const std::uint8_t> of_few() const {
         return {few_, few_count_};
     }
 
   private:
-    /// Finds the columns or rows that the boxes of a vector of triangles hold on an axis. Numbers
-    /// of columns never fall as coordinates grow, and those of lines err by the slack.
+    /// Computes the ranges of columns or rows in the boxes of a vector of triangles, on one axis. A
+    /// computed number is off by less than the slack, so the ranges hold all lines of the boxes and
+    /// perhaps some that are just outside.
     static HWY_INLINE void find(const BundleAcross::Axis& axis,
                                 const double* low,
                                 const double* high,
@@ -112,11 +112,11 @@ struct Pairs {
     static constexpr std::size_t most = block_size * few;
 
     std::uint32_t count = 0;
-    alignas(16) std::uint32_t lines[most + few]; ///< A whole vector is written for each triangle.
+    alignas(16) std::uint32_t lines[most + few]; ///< Writes of `few` lines may pass `count`.
     std::uint8_t triangles[most + few];
 
     HWY_INLINE Pairs(const Spans& spans, std::uint32_t columns) {
-        // Where the lines of a triangle are, by the count of its columns.
+        // The lines of a triangle relative to its first one, by its number of columns.
         const std::uint32_t from_first[few + 1][few] = {{},
                                                         {0, columns, 2 * columns, 3 * columns},
                                                         {0, 1, columns, columns + 1},
@@ -135,9 +135,9 @@ struct Pairs {
     }
 };
 
-/// Corners of triangles across the lines, one triangle after the other.
+/// Corners of triangles, projected along the lines, stored triangle by triangle.
 struct CornersInTurn {
-    static constexpr std::size_t spare = 8; ///< Slots that are written as parts of a vector.
+    static constexpr std::size_t spare = 8; ///< Room for the rest of the last vector.
 
     alignas(64) double first_two[block_size * few + spare][4]; ///< Each x and y.
     alignas(64) double third[block_size * few + spare][4];     ///< Followed by the bound of turns.
@@ -243,8 +243,8 @@ void mark_few(const BlockAcross& placed,
     }
 }
 
-/// Adds lines that follow each other to those that pass, without a branch where lanes are few and
-/// a table of their orders would be in the way.
+/// Appends the selected lines of a vector of consecutive lines to those that pass. With few lanes
+/// a loop without branches is faster than CompressBits, which reads a table.
 HWY_INLINE void add_passing(std::uint32_t which, std::uint32_t first, MarkedPairs& to) {
     if constexpr (lanes <= 4) {
         for (std::uint32_t i = 0; i < lanes; ++i) {
