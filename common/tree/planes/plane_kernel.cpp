@@ -78,6 +78,32 @@ HWY_INLINE void turn_back(const PlanePose& pose, const float* n, float* back) {
     }
 }
 
+/// Turns a normal, by the method of Chung and Wang, that did not part two nodes with these support
+/// points. Returns false if the points coincide or numbers overflow.
+HWY_INLINE bool
+turn_normal(const PlanePose& pose, const Support& of_a, const Support& of_b, float* n) {
+    const float* r = pose.rotation.data();
+    const float* s = pose.translation.data();
+    float apart[3]; // From A's support point to B's.
+    for (std::size_t i = 0; i < 3; ++i) {
+        apart[i] = dot(r + 3 * i, of_b.point) + s[i] - of_a.point[i];
+    }
+    const float square = dot(apart, apart);
+    const float turn = 2 * dot(apart, n) / square;
+    float next[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        next[i] = n[i] - turn * apart[i];
+    }
+    const float length = std::sqrt(dot(next, next));
+    if (!(square > 0x1p-100F) || !(length > 0.5F) || !(length < 2)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        n[i] = next[i] / length;
+    }
+    return true;
+}
+
 float part(const PlanePose& pose,
            const PlaneBody& a,
            std::uint32_t node_a,
@@ -85,72 +111,53 @@ float part(const PlanePose& pose,
            std::uint32_t node_b,
            std::uint32_t steps,
            float* n) {
-    const float* r = pose.rotation.data();
-    const float* s = pose.translation.data();
     const float needed = needed_gap(pose, a, node_a, b, node_b);
-    for (std::uint32_t step = 1;; ++step) {
+    for (std::uint32_t step = 0; step < steps; ++step) {
         const Support of_a = support_of(a, node_a, n);
         float back[3];
         turn_back(pose, n, back);
         const Support of_b = support_of(b, node_b, back);
-        const float gap = (dot(n, s) - of_b.reach) - of_a.reach;
+        const float gap = (dot(n, pose.translation.data()) - of_b.reach) - of_a.reach;
         if (gap > needed) {
             return gap - needed;
         }
-        float apart[3]; // From A's support point to B's.
-        for (std::size_t i = 0; i < 3; ++i) {
-            apart[i] = dot(r + 3 * i, of_b.point) + s[i] - of_a.point[i];
-        }
-        const float square = dot(apart, apart);
-        const float turn = 2 * dot(apart, n) / square;
-        float next[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            next[i] = n[i] - turn * apart[i];
-        }
-        const float length = std::sqrt(dot(next, next));
-        if (!(square > 0x1p-100F) || !(length > 0.5F) || !(length < 2)) {
-            return 0; // The support points coincide, or numbers overflow.
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            n[i] = next[i] / length;
-        }
-        if (step >= steps) {
+        if (!turn_normal(pose, of_a, of_b, n)) {
             return 0;
         }
     }
+    return 0;
 }
 
-/// Nodes with one parent, or one node, and how far those that are wanted are along a direction.
+/// Nodes with one parent, or one node, and the support points of those that are wanted.
 struct Siblings {
     std::uint32_t first;
     std::uint32_t wanted = 0; ///< A bit for each node, counted from `first`.
-    float reach[wide_children_max];
-};
+    Support support[wide_children_max];
 
-template <class Use>
-HWY_INLINE void each_wanted(const Siblings& siblings, Use use) {
-    for (std::uint32_t rest = siblings.wanted; rest != 0; rest &= rest - 1) {
-        use(static_cast<std::uint32_t>(std::countr_zero(rest)));
+    [[nodiscard]] HWY_INLINE const Support& of(std::uint32_t node) const {
+        return support[node - first];
     }
-}
+};
 
 /// Finds the siblings among the nodes of pairs.
 template <class NodeOf>
-HWY_INLINE Siblings
-siblings_in(const WidePair* pairs, std::size_t count, NodeOf node_of, const SupportSet* sets) {
-    Siblings siblings{node_of(pairs[0]), 0, {}};
-    for (std::size_t i = 1; i < count; ++i) {
-        siblings.first = std::min(siblings.first, node_of(pairs[i]));
+HWY_INLINE void find_siblings(std::span<const WidePair> pairs,
+                              NodeOf node_of,
+                              const SupportSet* sets,
+                              Siblings& siblings) {
+    siblings.first = node_of(pairs[0]);
+    for (const WidePair pair : pairs) {
+        siblings.first = std::min(siblings.first, node_of(pair));
     }
     prefetch(sets + siblings.first, wide_children_max * sizeof(SupportSet));
-    for (std::size_t i = 0; i < count; ++i) {
-        siblings.wanted |= std::uint32_t{1} << (node_of(pairs[i]) - siblings.first);
+    for (const WidePair pair : pairs) {
+        siblings.wanted |= std::uint32_t{1} << (node_of(pair) - siblings.first);
     }
-    return siblings;
 }
 
 HWY_INLINE void prefetch_points(const PlaneBody& body, const Siblings& siblings) {
-    each_wanted(siblings, [&](std::uint32_t i) {
+    for (std::uint32_t rest = siblings.wanted; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
         const SupportSet& set = body.sets[siblings.first + i];
         const std::size_t first = 3 * std::size_t{set.first};
         if (set.is_chosen) {
@@ -160,24 +167,43 @@ HWY_INLINE void prefetch_points(const PlaneBody& body, const Siblings& siblings)
         } else {
             prefetch(body.doubles + first, 3 * std::size_t{set.count} * sizeof(double));
         }
-    });
+    }
 }
 
-HWY_INLINE void find_reaches(const PlaneBody& body, const float* direction, Siblings& siblings) {
-    each_wanted(siblings, [&](std::uint32_t i) {
-        const std::uint32_t node = siblings.first + i;
-        const SupportSet& set = body.sets[node];
-        const std::size_t first = 3 * std::size_t{set.first};
-        if (set.is_chosen) {
-            siblings.reach[i] = reach_of_chosen(body.columns + first, padded(set.count), direction);
-        } else if (body.floats != nullptr) {
-            siblings.reach[i] = reach_of_vertices(
-                Lanes(), body.floats + first, set.count, body.center.data(), direction);
-        } else {
-            siblings.reach[i] = reach_of_vertices(
-                Rounded(), body.doubles + first, set.count, body.center.data(), direction);
+HWY_INLINE void find_supports(const PlaneBody& body, const float* direction, Siblings& siblings) {
+    for (std::uint32_t rest = siblings.wanted; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
+        const SupportSet& set = body.sets[siblings.first + i];
+        siblings.support[i] = set.is_chosen ? support_of_chosen(body, set, direction)
+                                            : support_of_vertices(body, set, direction);
+    }
+}
+
+/// Tries a normal on all pairs. Fetches the nodes of those that it does not part, which are looked
+/// at next.
+HWY_INLINE void find_slacks(const PlanePose& pose,
+                            const PlaneBody& a,
+                            const PlaneBody& b,
+                            std::span<const WidePair> pairs,
+                            const float* n,
+                            Siblings& of_a,
+                            Siblings& of_b,
+                            PlaneTrial* trials) {
+    float back[3];
+    turn_back(pose, n, back);
+    find_supports(a, n, of_a);
+    find_supports(b, back, of_b);
+    const float between = dot(n, pose.translation.data());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const WidePair pair = pairs[i];
+        const float gap = (between - of_b.of(pair.b).reach) - of_a.of(pair.a).reach;
+        const float slack = gap - needed_gap(pose, a, pair.a, b, pair.b);
+        trials[i] = {{n[0], n[1], n[2]}, slack, slack > 0};
+        if (!trials[i].is_apart) {
+            prefetch(a.nodes + pair.a, sizeof(WideNode));
+            prefetch(b.nodes + pair.b, sizeof(WideNode));
         }
-    });
+    }
 }
 
 /// Tries one normal on all pairs, then improved ones on each pair that it does not part, unless
@@ -185,34 +211,28 @@ HWY_INLINE void find_reaches(const PlaneBody& body, const float* direction, Sibl
 void part_siblings(const PlanePose& pose,
                    const PlaneBody& a,
                    const PlaneBody& b,
-                   const WidePair* pairs,
-                   std::size_t count,
+                   std::span<const WidePair> pairs,
                    std::uint32_t steps,
                    const float* n,
                    PlaneTrial* trials) {
-    Siblings of_a = siblings_in(
-        pairs, count, [](WidePair pair) { return pair.a; }, a.sets);
-    Siblings of_b = siblings_in(
-        pairs, count, [](WidePair pair) { return pair.b; }, b.sets);
+    Siblings of_a;
+    Siblings of_b;
+    find_siblings(
+        pairs, [](WidePair pair) { return pair.a; }, a.sets, of_a);
+    find_siblings(
+        pairs, [](WidePair pair) { return pair.b; }, b.sets, of_b);
     prefetch_points(a, of_a);
     prefetch_points(b, of_b);
-    float back[3];
-    turn_back(pose, n, back);
-    find_reaches(a, n, of_a);
-    find_reaches(b, back, of_b);
-    const float between = dot(n, pose.translation.data());
-    for (std::size_t i = 0; i < count; ++i) {
+    find_slacks(pose, a, b, pairs, n, of_a, of_b, trials);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
         const WidePair pair = pairs[i];
         PlaneTrial& trial = trials[i];
-        trial.normal = {n[0], n[1], n[2]};
-        const float gap =
-            (between - of_b.reach[pair.b - of_b.first]) - of_a.reach[pair.a - of_a.first];
-        const float slack = gap - needed_gap(pose, a, pair.a, b, pair.b);
-        trial.is_apart = slack > 0;
-        const bool are_leaves = a.nodes[pair.a].is_leaf && b.nodes[pair.b].is_leaf;
-        if (!trial.is_apart && !are_leaves) {
-            trial.is_apart = part(pose, a, pair.a, b, pair.b, steps, trial.normal.data()) > 0;
+        if (trial.is_apart || (a.nodes[pair.a].is_leaf && b.nodes[pair.b].is_leaf)) {
+            continue;
         }
+        float* normal = trial.normal.data();
+        trial.is_apart = turn_normal(pose, of_a.of(pair.a), of_b.of(pair.b), normal) &&
+                         part(pose, a, pair.a, b, pair.b, steps - 1, normal) > 0;
     }
 }
 
@@ -302,7 +322,7 @@ void separate_siblings(const PlanePose& pose,
                        const PlaneNormal& normal,
                        std::span<PlaneTrial> trials) {
     HWY_DYNAMIC_DISPATCH(part_siblings)
-    (pose, a, b, pairs.data(), pairs.size(), steps, normal.data(), trials.data());
+    (pose, a, b, pairs, steps, normal.data(), trials.data());
 }
 
 std::uint32_t

@@ -63,6 +63,7 @@ using PlaneNormal = std::array<float, 3>;
 /// What came of looking for a plane between two nodes.
 struct PlaneTrial {
     PlaneNormal normal{}; ///< The last one that was tried or would be tried next.
+    float slack = 0;      ///< By how much the gap along the first one exceeds what a proof needs.
     bool is_apart = false;
 };
 

@@ -1,5 +1,10 @@
 #include "common/tree/planes/plane_stack.hpp"
 
+#include "common/core/prefetch.hpp"
+
+#include <limits>
+#include <utility>
+
 namespace cd {
 
 namespace {
@@ -14,6 +19,13 @@ constexpr std::uint32_t root_steps = 16;
 
 /// A pair that no plane parted is tried again under each such pose among near ones.
 constexpr std::uint32_t retry_period = 8;
+
+/// Fetches the sets of points that a visit of the node needs.
+void prefetch_children(const PlaneBody& body, std::uint32_t node) {
+    if (!body.nodes[node].is_leaf) {
+        prefetch(body.sets + body.nodes[node].first, wide_children_max * sizeof(SupportSet));
+    }
+}
 
 } // namespace
 
@@ -81,6 +93,8 @@ std::optional<WidePair> PlaneStack::next() {
         pairs_.pop_back();
         if (pair.is_tested || !is_apart(pair)) {
             normal_ = pair.normal;
+            prefetch_children(*a_, pair.nodes.a);
+            prefetch_children(*b_, pair.nodes.b);
             return pair.nodes;
         }
     }
@@ -95,10 +109,21 @@ void PlaneStack::push_children(std::span<const WidePair> pairs) {
     } else if (!pairs.empty()) {
         trials_.resize(pairs.size());
         separate_siblings(pose_, *a_, *b_, pairs, sibling_steps, normal_, trials_);
+        // The others keep their order, in which neighbours share nodes.
+        std::size_t next = pairs_.size();
+        float least_slack = std::numeric_limits<float>::infinity();
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (!trials_[i].is_apart) {
-                pairs_.push_back({pairs[i], trials_[i].normal, true});
+            if (trials_[i].is_apart) {
+                continue;
             }
+            if (trials_[i].slack < least_slack) {
+                least_slack = trials_[i].slack;
+                next = pairs_.size();
+            }
+            pairs_.push_back({pairs[i], trials_[i].normal, true});
+        }
+        if (next < pairs_.size()) {
+            std::swap(pairs_[next], pairs_.back());
         }
     }
 }

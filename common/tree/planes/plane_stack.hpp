@@ -30,9 +30,11 @@ class PlaneStack {
     /// Takes pairs off the stack until one cannot be parted; returns it, or nothing if no pair is
     /// left.
     [[nodiscard]] std::optional<WidePair> next();
-    /// Puts children of the pair that `next` returned last on the stack; the last one is next.
-    /// Leaves out those that planes part at once, unless the pose is near the last one: then what
-    /// is known of a pair is worth more than what its siblings share.
+    /// Puts children of the pair that `next` returned last on the stack. Unless the pose is near
+    /// the last one, leaves out those that planes part at once, and the pair with the least slack
+    /// along the parents' normal is next: it is the most likely to be in contact. Near the last
+    /// pose, what is known of a pair is worth more than what its siblings share, and the last pair
+    /// is next.
     void push_children(std::span<const WidePair> pairs);
     /// Takes a pair off the stack without looking at it. There is one.
     [[nodiscard]] WidePair pop();

@@ -235,37 +235,6 @@ HWY_INLINE Support support_of(const PlaneBody& body, std::uint32_t node, const f
                                     : support_of_children(body, body.nodes[node], direction);
 }
 
-template <class D>
-HWY_INLINE hn::Vec<D> nearest(D d) {
-    return hn::Set(d, -std::numeric_limits<float>::infinity());
-}
-
-HWY_INLINE float
-reach_of_chosen(const float* columns, std::uint32_t count, const float* direction) {
-    const Lanes d;
-    Wide most = nearest(d);
-    for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        const Wide at[3] = {hn::LoadU(d, columns + i),
-                            hn::LoadU(d, columns + count + i),
-                            hn::LoadU(d, columns + 2 * std::size_t{count} + i)};
-        most = hn::Max(most, reach_of(d, at, direction));
-    }
-    return hn::GetLane(hn::MaxOfLanes(d, most));
-}
-
-template <class D, class Number>
-HWY_INLINE float reach_of_vertices(
-    D d, const Number* vertices, std::uint32_t count, const float* center, const float* direction) {
-    hn::Vec<D> most = nearest(d);
-    for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        hn::Vec<D> at[3];
-        load(d, vertices + 3 * std::size_t{i}, center, at);
-        most = hn::IfThenElse(
-            hn::FirstN(d, count - i), hn::Max(most, reach_of(d, at, direction)), most);
-    }
-    return hn::GetLane(hn::MaxOfLanes(d, most));
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace cd
 HWY_AFTER_NAMESPACE();
