@@ -3,9 +3,12 @@ from tables import (figure, figures_table, in_order, known, number, select, show
                     unpackaged)
 
 TITLE = "Distances: ours and the peers"
-FILES = ("distances", "pairs")
+FILES = ("distances", "pairs", "near_queries", "near_floats")
 PAGE = "RESULTS.md"
 OURS = "cdcluster"
+# Of SCENES 1.4: microseconds of a query, nanoseconds of a candidate in floats.
+QUERY_LIMITS = {"drivaer near sedan": 15, "drivaer x sedan": 8}
+FLOAT_LIMITS = {"avx512": 40, "avx2": 80}
 
 
 def ours_in(data, scene, poses_are):
@@ -23,10 +26,30 @@ def figures_section(data):
         if engine != OURS:
             rows.append(figure(f"the same, {engine}, median of the ratios", ">= 10x",
                                known(row, "ratio"), "x", lambda v: v >= 10))
+    rows += near_figures(data)
     rows.append(figure("distances of ours that are wrong", "0", wrong_of_ours(data), "",
                        lambda v: v == 0))
     rows.append(unpackaged("PQP 1.3, Coal"))
     return "## Figures\n" + figures_table(rows)
+
+
+def near_figures(data):
+    """Times of queries with a clearance of 1 cm, and of a candidate on each SIMD target with a goal."""
+    rows = []
+    for scene, limit in QUERY_LIMITS.items():
+        row = next(iter(select(data["near_queries"], scene=scene)), None)
+        rows.append(figure(f"nearer than 1 cm?, {scene}, mean", f"<= {limit} us",
+                           known(row, "mean_us"), "us", lambda v, most=limit: v <= most))
+    for target, limit in FLOAT_LIMITS.items():
+        for scene in QUERY_LIMITS:
+            row = next(iter(select(data["near_floats"], scene=scene, target=target)), None)
+            what = f"a candidate in floats at 1 cm, {scene}, {target}"
+            if data["near_floats"] and not row:
+                rows.append([what, f"<= {limit} ns", "none on this machine", ""])
+                continue
+            rows.append(figure(what, f"<= {limit} ns", known(row, "candidate_ns"), "ns",
+                               lambda v, most=limit: v <= most))
+    return rows
 
 
 def wrong_of_ours(data):

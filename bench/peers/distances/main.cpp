@@ -5,11 +5,13 @@
 #include "bench/accuracy/timing.hpp"
 #include "bench/peers/distances/contest.hpp"
 #include "bench/peers/distances/hard_pairs.hpp"
+#include "bench/peers/distances/near_times.hpp"
 #include "bench/peers/scenes.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -99,6 +101,37 @@ void add_scene(const SceneSource& source,
     }
 }
 
+/// The clearance of the scenes whose searches with a clearance are timed, in metres.
+constexpr double clearance = 0.01;
+constexpr std::array near_scenes{"drivaer near sedan", "drivaer x sedan"};
+
+/// Files with the times of searches with a clearance.
+struct NearFiles {
+    CsvFile queries;
+    CsvFile floats;
+
+    explicit NearFiles(const std::filesystem::path& folder)
+        : queries(folder / "near_queries.csv", {"scene", "poses", "mean_us", "median_us"}),
+          floats(folder / "near_floats.csv",
+                 {"scene", "target", "candidates", "unknown", "candidate_ns"}) {}
+
+    void add(const Scene& scene, std::size_t rounds) {
+        const std::vector<double> seconds = measure_near_queries(scene, clearance, rounds);
+        const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+        queries.row({scene.name,
+                     cell(std::uint64_t{seconds.size()}),
+                     cell(1e6 * sum / static_cast<double>(seconds.size())),
+                     cell(1e6 * median(seconds))});
+        for (const NearFloats& row : measure_near_floats(scene, clearance, rounds)) {
+            floats.row({scene.name,
+                        row.target,
+                        cell(row.candidates),
+                        cell(row.unknown),
+                        cell(row.candidate_ns)});
+        }
+    }
+};
+
 void run(const Options& options) {
     std::filesystem::create_directories(options.out);
     std::vector<std::string> missing;
@@ -118,6 +151,7 @@ void run(const Options& options) {
                     "wrong",
                     "worst",
                     "ours_wrong"});
+    NearFiles near(options.out);
     for (const SceneSource& source : scene_sources(options.scenes)) {
         if (source.suite != "scenes" || source.name.find(options.only) == std::string::npos) {
             continue;
@@ -127,6 +161,9 @@ void run(const Options& options) {
         if (const auto scene = source.load()) {
             add_scene(
                 source, engines, run_distance_contest(*scene, engines, options.contest), scenes);
+            if (std::ranges::count(near_scenes, source.name) > 0) {
+                near.add(*scene, options.contest.rounds);
+            }
         }
     }
     CsvFile pairs(options.out / "pairs.csv",
