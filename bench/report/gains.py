@@ -1,9 +1,9 @@
-"""What the gains of a cluster consist of, and a thousand hosts in ranges, as a page."""
+"""What the gains of a cluster consist of, as a page."""
 from cluster import SCENES, Series, mean
 from tables import fixed, in_order, known, number, select, show, table
 
-TITLE = "What the gains consist of, and a thousand hosts in ranges"
-FILES = ("fit", "runs", "attribution", "ranges")
+TITLE = "What the gains consist of"
+FILES = ("fit", "runs", "attribution")
 PAGE = "GAINS.md"
 PAPERS = ("best-match", "random", "lowest")
 SWITCHES = ("", "+peers", ", longest first", "+peers, longest first")
@@ -105,37 +105,10 @@ def optimum_section(runs):
             table(["strategy", *columns], rows))
 
 
-def ranges_section(rows):
-    if not rows:
-        return ""
-    lines = []
-    for row in rows:
-        lines.append([show(number(row, "hosts")), row["scenario_ms"], row["result_us"], show(number(row, "scenarios")),
-                      *(fixed(number(row, f"{what}_seconds"), 2) for what in ("compute", "geometry", "master")),
-                      fixed(number(row, "seconds"), 2), f"{100 * number(row, 'share'):.1f} %",
-                      row["uploads_max"], f"{number(row, 'start_share') * 100:.0f} / "
-                      f"{number(row, 'between_share') * 100:.0f} / {number(row, 'tail_share') * 100:.0f} %",
-                      fixed(number(row, "coordinator_us"), 2), f"{100 * number(row, 'master_share'):.0f} %"])
-    first = rows[0]
-    note = (f"The real coordinator in simulated time: hosts of {first['threads']} cores and 1 Gb/s, empty caches, "
-            f"{fixed(number(first, 'geometry_mb'))} MB of geometry, level count, no analysis. *Compute*, *geometry* "
-            "(to one host), *master*: the least seconds each alone allows; *s* came out. *Share*: of the weighted "
-            "bound. *Uploads*: most times that the master sent one block. *Idle*: before, between, after work. "
-            "*Coordinator*: its processor time, which the simulated master's one thread spends as well as that of "
-            "the results; *busy*: that thread's share of the time.")
-    return "## Ranges\n" + note + "\n\n" + table(
-        ["hosts", "ms a scenario", "master, us a result", "scenarios", "compute, s", "geometry, s", "master, s", "s",
-         "share", "uploads", "idle", "coordinator, us a scenario", "busy"], lines)
-
-
-def faults(data):
-    """What of ours is wrong, in words."""
-    short = [row for row in data["ranges"] if row["answered"] != row["scenarios"]]
-    often = [row for row in data["ranges"] if number(row, "uploads_max") > 2]
-    return ([f"{len(short)} jobs in ranges were not answered"] if short else []) + (
-        [f"the master sent a block more than twice in {len(often)} jobs"] if often else [])
+def faults(_data):
+    """The page has only figures of the simulation: none of ours can be wrong."""
+    return []
 
 
 def summary(data):
-    return [attribution_section(data["attribution"], data["fit"]), optimum_section(data["runs"]),
-            ranges_section(data["ranges"])]
+    return [attribution_section(data["attribution"], data["fit"]), optimum_section(data["runs"])]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Turns the CSV files of a run into a page of Markdown: RESULTS.md, ANSWERS.md for the kind `answers`, or GAINS.md.
 
-    page.py KIND FOLDER      KIND: peers, distances, shots, motions, scenes, accuracy, answers, cluster or gains
+    page.py KIND FOLDER      KIND: peers, distances, shots, motions, scenes, accuracy, answers, cluster, gains or ranges
 
 Fails, after it has written the page, when an answer of ours is wrong, and when the page breaks a rule.
 """
@@ -14,7 +14,7 @@ import sys
 from tables import read
 
 KINDS = ("peers", "distances", "shots", "motions", "scenes", "accuracy", "answers", "cluster",
-         "gains")
+         "gains", "ranges")
 LINES_MAX = 60
 CELL_WORDS_MAX = 25
 # Rows of machine.csv that the first line of a page has.

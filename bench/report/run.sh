@@ -1,7 +1,7 @@
 # Shared by bench/*/run and bench/figures: builds programs, writes down where figures come from, makes a
 # page and pictures. Sourced.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$root/build/bench
+build=${CD_BENCH_BUILD:-$root/build/bench}
 commit=unknown
 load=unknown
 
@@ -15,13 +15,16 @@ commit_of_tree() {
     echo "$hash"
 }
 
-# Builds the targets with the preset `bench`. Sets `commit` and `load`: both are those before anything
-# is measured.
+# Builds the targets with the preset `bench`, or takes those of the folder $CD_BENCH_BUILD, which must be
+# of this commit and built for release. Sets `commit` and `load`: both are those before anything is measured.
 build_programs() { # TARGETS...
     source "$root/deploy/packages"
     install_missing "${packages_build[@]}" "${packages_test[@]}" "${packages_peers[@]}"
     commit=$(commit_of_tree)
     load=$(cut -d ' ' -f 1 /proc/loadavg)
+    if [[ -n ${CD_BENCH_BUILD:-} ]]; then
+        return
+    fi
     (cd "$root" && cmake --preset bench) >/dev/null
     cmake --build "$build" --target "$@" >&2
 }
@@ -47,7 +50,7 @@ write_page() { # KIND FOLDER COMMAND
             break
         fi
     done
-    if [[ $1 =~ ^(answers|distances|gains|shots|motions|scenes)$ ]]; then
+    if [[ $1 =~ ^(answers|distances|gains|ranges|shots|motions|scenes)$ ]]; then
         : # Pages without pictures.
     elif [[ -n $python ]]; then
         "$python" -B "$root/bench/report/plot.py" "$1" "$2"

@@ -3,6 +3,7 @@
 //
 //   ranges TRACE --out FOLDER [--quick]
 #include "bench/accuracy/csv.hpp"
+#include "bench/accuracy/machine.hpp"
 #include "bench/cluster/model/large_cluster.hpp"
 #include "bench/cluster/ranges/range_job.hpp"
 #include "common/core/timing/worker.hpp"
@@ -108,6 +109,7 @@ void run_all(const Trace& trace,
              std::uint32_t depth,
              const std::vector<Case>& all) {
     std::filesystem::create_directories(out);
+    write_machine(out, {});
     CsvFile csv(out / "ranges.csv",
                 {"hosts",           "threads",          "gigabits",       "scenario_ms",
                  "result_us",       "scenarios",        "answered",       "geometry_mb",
