@@ -1,4 +1,4 @@
-"""Jobs in ranges on a thousand simulated hosts and more, as a page."""
+"""Jobs in ranges on a thousand simulated hosts, as a page."""
 from tables import fixed, number, show, table
 
 TITLE = "Jobs in ranges on a thousand hosts"
