@@ -18,6 +18,18 @@ void sort_distinct(std::vector<RootIndex>& roots) {
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
 }
 
+/// Reports arrived blocks to the master.
+void report(RootsByTree arrived, const SubtreeCache& cache, MasterLink& master) {
+    for (auto& [tree, roots] : arrived) {
+        sort_distinct(roots);
+        // An arrived block may have been evicted again.
+        std::erase_if(roots, [&](RootIndex root) { return !cache.has({tree, root}); });
+        if (!roots.empty()) {
+            master.send(Held{tree, std::move(roots)});
+        }
+    }
+}
+
 } // namespace
 
 BlockInbox::BlockInbox(SessionHub& hub,
@@ -242,7 +254,7 @@ void BlockInbox::send_evicted() {
 void BlockInbox::send_held_soon() {
     const auto wait = hub_.results_wait() / timing::held_waits_per_results_wait;
     if (wait.count() == 0) {
-        return send_held();
+        return report(std::exchange(held_, {}), cache_, master_);
     }
     if (held_.empty() || std::exchange(sending_held_soon_, true)) {
         return;
@@ -253,20 +265,9 @@ void BlockInbox::send_held_soon() {
             const auto hub = weak.lock();
             if (hub != nullptr && !error) {
                 sending_held_soon_ = false;
-                send_held();
+                report(std::exchange(held_, {}), cache_, master_);
             }
         });
-}
-
-void BlockInbox::send_held() {
-    for (auto& [tree, roots] : std::exchange(held_, {})) {
-        sort_distinct(roots);
-        // An arrived block may have been evicted again.
-        std::erase_if(roots, [&](RootIndex root) { return !cache_.has({tree, root}); });
-        if (!roots.empty()) {
-            master_.send(Held{tree, std::move(roots)});
-        }
-    }
 }
 
 void BlockInbox::send_wants(const std::vector<SubtreeKey>& want) {

@@ -100,7 +100,6 @@ class BlockInbox {
     void send_evicted();
     /// Reports the arrived blocks soon, together with those that arrive until then.
     void send_held_soon();
-    void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);
 
     SessionHub& hub_;
