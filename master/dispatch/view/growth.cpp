@@ -16,7 +16,7 @@ namespace {
 /// Each doubling of the workers delays the blocks by this part of a fetch. Blocks spread from who
 /// has them to who has not, and many are under way at once. From simulated clusters
 /// (tests/bench/cluster/model/growth_test.cpp).
-constexpr double fetch_part_of_doubling = 0.3;
+constexpr double fetch_part_of_doubling = 0.1;
 
 /// Speed of the worker's threads together, in units that all workers share: at ranges if the first
 /// job sends these, else at analysed work.
