@@ -148,10 +148,12 @@ TEST_F(BrokenNetwork, CutsAndRestartsOfTheMasterLoseNothing) {
         proxy_.cut();
         connection_.reset();
         master_.kill();
-        master_.start();
-        connection_ = connect();
+        // Before the master is back. Else it may receive a Hello whose Welcome is swallowed, and the
+        // worker begins another session.
         const std::uint64_t swallowed = proxy_.swallowed();
         proxy_.set(Weather::Swallowed);
+        master_.start();
+        connection_ = connect();
         EXPECT_TRUE(comes_true([&] { return proxy_.swallowed() > swallowed; }));
         proxy_.set(Weather::Fair);
         const std::uint64_t damaged = proxy_.damaged();
