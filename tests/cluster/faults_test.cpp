@@ -148,8 +148,8 @@ TEST_F(BrokenNetwork, CutsAndRestartsOfTheMasterLoseNothing) {
         proxy_.cut();
         connection_.reset();
         master_.kill();
-        // Before the master is back. Else it may receive a Hello whose Welcome is swallowed, and the
-        // worker begins another session.
+        // Before the master is back. Else it may receive a Hello whose Welcome is swallowed, and
+        // the worker begins another session.
         const std::uint64_t swallowed = proxy_.swallowed();
         proxy_.set(Weather::Swallowed);
         master_.start();
