@@ -18,19 +18,22 @@ struct Passes {
     };
 
     std::vector<Group> groups;
-    std::vector<std::uint32_t> lines; ///< By hit: index in B's mesh.
-    std::vector<std::uint32_t> slots; ///< By hit: of the line in B's subtree.
-    std::vector<double> depths;       ///< By hit; NaN if it is not known.
+    std::vector<std::uint32_t> lines;  ///< By hit: index in B's mesh.
+    std::vector<std::uint32_t> owners; ///< By hit: its group.
+    std::vector<std::uint32_t> slots;  ///< By hit: of the line in B's subtree.
+    std::vector<double> depths;        ///< By hit; NaN if it is not known.
 
     void clear() {
         groups.clear();
         lines.clear();
+        owners.clear();
         slots.clear();
         depths.clear();
     }
     /// Adds hits with unset members.
     void grow(std::size_t hits) {
         lines.resize(lines.size() + hits);
+        owners.resize(owners.size() + hits);
         slots.resize(slots.size() + hits);
     }
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(lines.size()); }

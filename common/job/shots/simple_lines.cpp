@@ -3,20 +3,10 @@
 #include "common/shots/line_hit.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
 
 namespace cd {
-
-namespace {
-
-/// Returns a number below 64. Fibonacci hashing: see EqualDepths.
-unsigned hash_of(double depth) {
-    return static_cast<unsigned>(std::bit_cast<std::uint64_t>(depth) * 0x9e3779b97f4a7c15 >> 58);
-}
-
-} // namespace
 
 void SimpleLines::restart(const Passes& passes, std::span<const SubtreePair> pairs) {
     passes_ = &passes;
@@ -48,44 +38,17 @@ void SimpleLines::find_open(const FoundContacts& found) {
         }
     }
     const Passes& p = *passes_;
-    const std::span<const std::uint32_t> doubtful = find_doubtful();
-    depths_.restart(p.lines, p.depths, doubtful.size());
-    std::size_t group = 0;
-    for (const std::uint32_t i : doubtful) {
+    equal_.restart(p.lines, p.depths, lines_.size());
+    for (std::uint32_t i = 0; i < p.count(); ++i) {
         if (std::isnan(p.depths[i])) {
             open(p.lines[i]);
             continue;
         }
-        while (i >= p.end_of(group)) {
-            ++group;
-        }
-        const std::uint32_t earlier = depths_.add(i);
-        if (earlier != none && !is_at_one_place(group, earlier)) {
+        const std::uint32_t earlier = equal_.add(i);
+        if (earlier != none && !is_at_one_place(p.owners[i], p.owners[earlier])) {
             open(p.lines[i]);
         }
     }
-}
-
-/// Returns the hits of lines of which two depths may be equal or some depth is not known, in
-/// ascending order.
-std::span<const std::uint32_t> SimpleLines::find_doubtful() {
-    const Passes& p = *passes_;
-    bool are_some = false;
-    for (std::uint32_t i = 0; i < p.count(); ++i) {
-        Line& line = lines_[p.lines[i]];
-        const std::uint64_t bit = std::uint64_t{1} << hash_of(p.depths[i]);
-        const bool is_doubtful = ((line.depths & bit) != 0) | std::isnan(p.depths[i]);
-        line.depths |= bit;
-        line.is_doubtful |= is_doubtful;
-        are_some |= is_doubtful;
-    }
-    doubtful_.resize(are_some ? p.count() : 0);
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; are_some && i < p.count(); ++i) {
-        doubtful_[count] = i;
-        count += lines_[p.lines[i]].is_doubtful ? 1 : 0;
-    }
-    return std::span(doubtful_).first(count);
 }
 
 void SimpleLines::open(std::uint32_t line) {
@@ -95,29 +58,20 @@ void SimpleLines::open(std::uint32_t line) {
     }
 }
 
-/// Returns whether a group's triangle has the same corners as that of an earlier hit.
-bool SimpleLines::is_at_one_place(std::size_t group, std::uint32_t earlier) {
+/// Returns whether the triangles of a group and of an earlier one have the same corners.
+bool SimpleLines::is_at_one_place(std::size_t group, std::size_t earlier) {
     const auto corners_of = [&](std::size_t number) {
         const Passes::Group& of = passes_->groups[number];
         return pairs_[of.pair].a.wide.triangles.corners_at(of.slot);
     };
-    const bool is_alike = coincident_.group == group &&
-                          earlier >= passes_->groups[coincident_.earlier].begin &&
-                          earlier < passes_->end_of(coincident_.earlier);
-    if (is_alike) {
+    if (coincident_.group == group && coincident_.earlier == earlier) {
         return true;
     }
-    const std::size_t other = group_of(earlier);
-    if (!are_coincident(corners_of(group), corners_of(other))) {
+    if (!are_coincident(corners_of(group), corners_of(earlier))) {
         return false;
     }
-    coincident_ = {group, other};
+    coincident_ = {group, earlier};
     return true;
-}
-
-std::size_t SimpleLines::group_of(std::uint32_t hit) const {
-    const auto after = std::ranges::upper_bound(passes_->groups, hit, {}, &Passes::Group::begin);
-    return static_cast<std::size_t>(after - passes_->groups.begin()) - 1;
 }
 
 /// Finds the first hit of each line.
@@ -130,7 +84,7 @@ void SimpleLines::find_first() {
         const auto place = [](const Passes::Group& of) {
             return std::tuple(order_at_one_depth(of.flags), of.triangle);
         };
-        return place(p.groups[group]) < place(p.groups[group_of(other)]);
+        return place(p.groups[group]) < place(p.groups[p.owners[other]]);
     };
     for (std::size_t group = 0; group < p.groups.size(); ++group) {
         for (std::uint32_t i = p.groups[group].begin; i < p.end_of(group); ++i) {

@@ -30,10 +30,8 @@ class SimpleLines {
     static constexpr std::uint32_t none = EqualDepths::none;
 
     struct Line {
-        std::uint64_t depths = 0;   ///< Bit mask of hashes of its depths.
         std::uint32_t first = none; ///< Index of its first hit, if that is asked for.
         bool is_simple = true;
-        bool is_doubtful = false; ///< Two depths have one hash, or some depth is not known.
     };
 
     /// Two groups on triangles with the same corners: a later and an earlier one.
@@ -43,10 +41,8 @@ class SimpleLines {
     };
 
     void find_open(const FoundContacts& found);
-    [[nodiscard]] std::span<const std::uint32_t> find_doubtful();
     void open(std::uint32_t line);
-    [[nodiscard]] bool is_at_one_place(std::size_t group, std::uint32_t earlier);
-    [[nodiscard]] std::size_t group_of(std::uint32_t hit) const;
+    [[nodiscard]] bool is_at_one_place(std::size_t group, std::size_t earlier);
     void find_first();
     void move_open(FoundContacts& found, std::uint64_t& moved);
     [[nodiscard]] SettledHits sorted(bool only_first);
@@ -57,9 +53,8 @@ class SimpleLines {
     std::span<const SubtreePair> pairs_;
     std::vector<Line> lines_;         ///< By index in the mesh.
     std::vector<std::uint32_t> open_; ///< Lines that are not simple.
-    std::vector<std::uint32_t> doubtful_;
-    Coincident coincident_; ///< Those found last.
-    EqualDepths depths_;
+    Coincident coincident_;           ///< Those found last.
+    EqualDepths equal_;
     StableOrder order_;
     std::vector<std::uint32_t> triangles_;
     std::vector<std::uint32_t> kept_;
