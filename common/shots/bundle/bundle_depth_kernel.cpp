@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 // Everything below is compiled for every target.
 #include "common/pair/numbers/double_double_lanes-inl.hpp"
+#include "common/shots/bundle/bundle_columns-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -80,13 +81,8 @@ struct Lines {
 /// is high_0 + low_0 + y (high_1 + low_1) + z (high_2 + low_2), within the margin. That is NaN
 /// where there are no bounds.
 struct Planes {
-    static constexpr std::size_t numbers = 4;
-
-    template <std::size_t count>
-    using Of = double[count][numbers];
-
-    alignas(64) Of<DepthsOfMany::triangles_most> first;  ///< high_0, low_0, high_1, low_1
-    alignas(64) Of<DepthsOfMany::triangles_most> second; ///< high_2, low_2, margin, margin
+    alignas(64) bundle::Row first[DepthsOfMany::triangles_most];  ///< high_0, low_0, high_1, low_1
+    alignas(64) bundle::Row second[DepthsOfMany::triangles_most]; ///< high_2, low_2, margin, margin
 
     HWY_INLINE Planes() {}
 };
@@ -97,21 +93,12 @@ struct PlanesOfLines {
     V margin;
 
     HWY_INLINE PlanesOfLines(const Planes& planes, const std::uint32_t* triangles) {
-        const Doubles d;
-        constexpr std::size_t lines_most = hn::MaxLanes(d);
-        const hn::CappedTag<double, Planes::numbers> part;
-        alignas(64) Planes::Of<lines_most> first;
-        alignas(64) Planes::Of<lines_most> second;
-        for (std::size_t line = 0; line < hn::Lanes(d); ++line) {
-            const std::uint32_t triangle = triangles[line];
-            for (std::size_t i = 0; i < Planes::numbers; i += hn::MaxLanes(part)) {
-                hn::Store(hn::Load(part, planes.first[triangle] + i), part, first[line] + i);
-                hn::Store(hn::Load(part, planes.second[triangle] + i), part, second[line] + i);
-            }
-        }
-        V unused;
-        hn::LoadInterleaved4(d, first[0], terms[0].high, terms[0].low, terms[1].high, terms[1].low);
-        hn::LoadInterleaved4(d, second[0], terms[2].high, terms[2].low, margin, unused);
+        const bundle::Columns first(Doubles(), planes.first, triangles);
+        const bundle::Columns second(Doubles(), planes.second, triangles);
+        terms[0] = {first.at[0], first.at[1]};
+        terms[1] = {first.at[2], first.at[3]};
+        terms[2] = {second.at[0], second.at[1]};
+        margin = second.at[2];
     }
 };
 

@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "common/shots/bundle/bundle_grid_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Everything below is compiled for every target.
+#include "common/shots/bundle/bundle_columns-inl.hpp"
 #include "common/shots/bundle/bundle_turns-inl.hpp"
 
 #include <hwy/highway.h>
@@ -110,10 +111,12 @@ class Spans {
 /// The pairs of triangles that have few lines, by triangle.
 struct Pairs {
     static constexpr std::size_t most = block_size * few;
+    /// Writes of `few` lines may pass `count`; the rest of its vector has some triangle and line.
+    static constexpr std::size_t spare = std::max(few, lanes);
 
     std::uint32_t count = 0;
-    alignas(16) std::uint32_t lines[most + few]; ///< Writes of `few` lines may pass `count`.
-    std::uint8_t triangles[most + few];
+    alignas(16) std::uint32_t lines[most + spare];
+    std::uint8_t triangles[most + spare];
 
     HWY_INLINE Pairs(const Spans& spans, std::uint32_t columns) {
         // The lines of a triangle relative to its first one, by its number of columns.
@@ -132,27 +135,17 @@ struct Pairs {
             }
             count += of_columns.count * of_rows.count;
         }
+        std::fill_n(lines + count, lanes, 0u);
+        std::fill_n(triangles + count, lanes, std::uint8_t{0});
     }
 };
 
-/// Corners of triangles, projected along the lines, stored triangle by triangle.
+/// Corners of a block's triangles, projected along the lines, stored triangle by triangle.
 struct CornersInTurn {
-    static constexpr std::size_t spare = 8; ///< Room for the rest of the last vector.
+    alignas(64) bundle::Row first_two[block_size]; ///< Each x and y.
+    alignas(64) bundle::Row third[block_size];     ///< Followed by the bound of turns.
 
-    alignas(64) double first_two[block_size * few + spare][4]; ///< Each x and y.
-    alignas(64) double third[block_size * few + spare][4];     ///< Followed by the bound of turns.
-
-    HWY_INLINE CornersInTurn() {}
-
-    HWY_INLINE void copy(std::size_t from, const CornersInTurn& of, std::size_t to) {
-        const hn::CappedTag<double, 4> d;
-        for (std::size_t i = 0; i < 4; i += hn::MaxLanes(d)) {
-            hn::Store(hn::Load(d, of.first_two[from] + i), d, first_two[to] + i);
-            hn::Store(hn::Load(d, of.third[from] + i), d, third[to] + i);
-        }
-    }
-    /// Sets the triangles of a block.
-    HWY_INLINE void set(const BlockAcross& placed) {
+    HWY_INLINE explicit CornersInTurn(const BlockAcross& placed) {
         const Doubles d;
         for (std::size_t i = 0; i < placed.count; i += lanes) {
             const auto corner = [&](std::size_t which, std::size_t number) {
@@ -164,13 +157,18 @@ struct CornersInTurn {
             hn::StoreInterleaved4(corner(0, 2), corner(1, 2), error, error, d, third[i]);
         }
     }
-    /// Returns a vector of triangles.
-    [[nodiscard]] HWY_INLINE Target target(std::size_t i) const {
-        const Doubles d;
+    /// Returns the triangles of the given numbers, one for each lane.
+    [[nodiscard]] HWY_INLINE Target target(const std::uint8_t* triangles) const {
+        const bundle::Columns first(Doubles(), first_two, triangles);
+        const bundle::Columns second(Doubles(), third, triangles);
         Target target;
-        V unused;
-        hn::LoadInterleaved4(d, first_two[i], target.x[0], target.y[0], target.x[1], target.y[1]);
-        hn::LoadInterleaved4(d, third[i], target.x[2], target.y[2], target.error, unused);
+        target.x[0] = first.at[0];
+        target.y[0] = first.at[1];
+        target.x[1] = first.at[2];
+        target.y[1] = first.at[3];
+        target.x[2] = second.at[0];
+        target.y[2] = second.at[1];
+        target.error = second.at[2];
         return target;
     }
 };
@@ -184,24 +182,16 @@ struct FewMarks {
 
 HWY_INLINE FewMarks marks_of(const Pairs& pairs, const BlockAcross& placed, const LineRows& lines) {
     static_assert(Pairs::most <= 64);
-    CornersInTurn of_block;
-    of_block.set(placed);
-    CornersInTurn of_pairs;
-    alignas(64) double line_x[Pairs::most + lanes];
-    alignas(64) double line_y[Pairs::most + lanes];
-    for (std::uint32_t i = 0; i < pairs.count; ++i) {
-        const std::uint32_t line = pairs.lines[i];
-        of_pairs.copy(pairs.triangles[i], of_block, i);
-        line_x[i] = lines.across[0][line];
-        line_y[i] = lines.across[1][line];
-    }
+    const CornersInTurn corners(placed);
     FewMarks marks;
     for (std::uint32_t i = 0; i < pairs.count; i += lanes) {
         const Doubles d;
         const std::uint32_t valid =
             pairs.count - i >= lanes ? (1u << lanes) - 1 : (1u << (pairs.count - i)) - 1;
-        const Marks each = bundle::marks_of(
-            of_pairs.target(i), hn::Load(d, line_x + i), hn::Load(d, line_y + i), valid);
+        const Marks each = bundle::marks_of(corners.target(pairs.triangles + i),
+                                            bundle::load_each(d, lines.across[0], pairs.lines + i),
+                                            bundle::load_each(d, lines.across[1], pairs.lines + i),
+                                            valid);
         marks.left |= std::uint64_t{each.left} << i;
         marks.right |= std::uint64_t{each.right} << i;
         marks.open |= std::uint64_t{each.open} << i;
