@@ -14,7 +14,7 @@ struct Passes {
         std::uint32_t slot = 0;     ///< Of the triangle in A's subtree.
         std::uint32_t pair = 0;     ///< Of subtrees, among those of the scenario.
         std::uint32_t begin = 0;    ///< Index of its first hit.
-        std::uint8_t flags = 0;     ///< Of its hits (`hit_flag`).
+        std::uint8_t flags = 0;     ///< `hit_flag::crosses` and the side.
     };
 
     std::vector<Group> groups;

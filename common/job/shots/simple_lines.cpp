@@ -116,67 +116,87 @@ void SimpleLines::move_open(FoundContacts& found, std::uint64_t& moved) {
     }
 }
 
-/// Returns the hits that stay. Those of a triangle mostly are one group, in the order of lines.
-SettledHits SimpleLines::sorted(bool only_first) {
+/// Lists the hits by triangle, those of one triangle in the order found.
+void SimpleLines::put_in_order() {
+    constexpr std::uint32_t at_once = 4;
     const Passes& p = *passes_;
     triangles_.clear();
     for (const Passes::Group& group : p.groups) {
         triangles_.push_back(group.triangle);
     }
-    SettledHits settled;
-    settled.pairs.resize(p.count());
-    settled.hits.resize(p.count());
-    std::size_t count = 0;
-    const auto keep = [&](const Passes::Group& group, std::uint32_t i) {
-        settled.pairs[count] = {group.triangle, p.lines[i], PairClass::Touch};
-        settled.hits[count] = {p.depths[i], group.flags, 0};
-        ++count;
-    };
-    const bool are_all_kept = open_.empty() && !only_first;
+    in_order_.resize(p.count() + at_once);
+    Placed* to = in_order_.data();
     const std::span<const std::uint32_t> order = order_.of(triangles_);
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        const Passes::Group& first = p.groups[order[begin]];
-        for (++end; end < order.size() && triangles_[order[end]] == first.triangle;) {
-            ++end;
-        }
-        if (are_all_kept && end - begin == 1) {
-            const std::size_t before = count;
-            std::uint32_t line = 0;
-            bool are_ordered = true;
-            for (std::uint32_t i = first.begin; i < p.end_of(order[begin]); ++i) {
-                keep(first, i);
-                are_ordered &= line <= p.lines[i];
-                line = p.lines[i];
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const Passes::Group& group = p.groups[order[k]];
+        const std::uint32_t count = p.end_of(order[k]) - group.begin;
+        const bool is_back = (group.flags & hit_flag::back) != 0;
+        const std::uint32_t packed = group.triangle << 1 | (is_back ? 1u : 0u);
+        // Most groups are small: a fixed count of writes costs less than a branch for each hit.
+        for (std::uint32_t from = 0; from < count; from += at_once) {
+            for (std::uint32_t i = 0; i < at_once; ++i) {
+                to[from + i] = {group.begin + from + i, packed};
             }
-            if (are_ordered) {
-                continue;
-            }
-            count = before;
         }
-        for (const std::uint32_t i : kept_of(order.subspan(begin, end - begin), only_first)) {
-            keep(first, i);
-        }
+        to += count;
     }
-    settled.pairs.resize(count);
-    settled.hits.resize(count);
+    in_order_.resize(p.count());
+}
+
+/// Returns the hits that stay. Those of a triangle mostly come in the order of their lines, so that
+/// sorting by triangles is enough.
+SettledHits SimpleLines::sorted(bool only_first) {
+    put_in_order();
+    if (!open_.empty() || only_first) {
+        keep_settled(only_first);
+    }
+    const std::vector<Placed>& hits = in_order_;
+    const std::uint32_t* const lines = passes_->lines.data();
+    const double* const depths = passes_->depths.data();
+    SettledHits settled;
+    settled.pairs.reserve(hits.size());
+    settled.hits.reserve(hits.size());
+    disordered_.clear();
+    std::uint64_t before = 0;
+    for (const Placed& each : hits) {
+        const std::uint32_t line = lines[each.hit];
+        const std::uint64_t key = std::uint64_t{each.triangle()} << 32 | line;
+        if (key < before) {
+            disordered_.push_back(settled.pairs.size());
+        }
+        before = key;
+        settled.pairs.push_back({each.triangle(), line, PairClass::Touch});
+        settled.hits.push_back({depths[each.hit], each.flags(), 0});
+    }
+    std::size_t end = 0;
+    for (const std::size_t i : disordered_) {
+        end = i < end ? end : sort_triangle(settled, i);
+    }
     return settled;
 }
 
-/// Returns the hits of groups that stay, in the order of their lines. Valid until the next call.
-std::span<const std::uint32_t> SimpleLines::kept_of(std::span<const std::uint32_t> groups,
-                                                    bool only_first) {
-    const Passes& p = *passes_;
-    kept_.clear();
-    for (const std::uint32_t group : groups) {
-        for (std::uint32_t i = p.groups[group].begin; i < p.end_of(group); ++i) {
-            const Line& of = lines_[p.lines[i]];
-            if (of.is_simple && (!only_first || of.first == i)) {
-                kept_.push_back(i);
-            }
-        }
+/// Removes hits that do not stay from the list.
+void SimpleLines::keep_settled(bool only_first) {
+    std::erase_if(in_order_, [&](const Placed& each) {
+        const Line& line = lines_[passes_->lines[each.hit]];
+        return !line.is_simple || (only_first && line.first != each.hit);
+    });
+}
+
+/// Sorts the hits of one triangle, that of a given hit, by their lines. Returns their end.
+std::size_t SimpleLines::sort_triangle(SettledHits& settled, std::size_t of) {
+    const auto pairs = std::ranges::equal_range(
+        settled.pairs, settled.pairs[of].a, {}, [](const ContactPair& pair) { return pair.a; });
+    const auto first = static_cast<std::size_t>(pairs.begin() - settled.pairs.begin());
+    by_line_.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        by_line_.emplace_back(pairs[i].b, settled.hits[first + i]);
     }
-    std::ranges::sort(kept_, {}, [&](std::uint32_t i) { return p.lines[i]; });
-    return kept_;
+    std::ranges::sort(by_line_, {}, [](const auto& each) { return each.first; });
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        std::tie(pairs[i].b, settled.hits[first + i]) = by_line_[i];
+    }
+    return first + pairs.size();
 }
 
 } // namespace cd

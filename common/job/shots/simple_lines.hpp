@@ -1,15 +1,18 @@
 // Tells lines whose hits need no further decision from others.
 #pragma once
 
+#include "common/core/limits/engine.hpp"
 #include "common/job/shots/equal_depths.hpp"
 #include "common/job/shots/passes.hpp"
 #include "common/job/shots/settled_hits.hpp"
 #include "common/job/shots/stable_order.hpp"
 #include "common/search/found_contacts.hpp"
 #include "common/search/subtree_pair.hpp"
+#include "common/shots/line_hit.hpp"
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -40,14 +43,27 @@ class SimpleLines {
         std::size_t earlier = 0;
     };
 
+    /// A hit, with its triangle, and whether that is met from its back.
+    struct Placed {
+        std::uint32_t hit = 0;     ///< Its index.
+        std::uint32_t of_side = 0; ///< 2 * the triangle, + 1 if the hit is on its back.
+
+        static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << 31);
+        [[nodiscard]] std::uint32_t triangle() const { return of_side >> 1; }
+        [[nodiscard]] std::uint8_t flags() const {
+            return hit_flag::crosses | ((of_side & 1) != 0 ? hit_flag::back : hit_flag::front);
+        }
+    };
+
     void find_open(const FoundContacts& found);
     void open(std::uint32_t line);
     [[nodiscard]] bool is_at_one_place(std::size_t group, std::size_t earlier);
     void find_first();
     void move_open(FoundContacts& found, std::uint64_t& moved);
+    void put_in_order();
     [[nodiscard]] SettledHits sorted(bool only_first);
-    [[nodiscard]] std::span<const std::uint32_t> kept_of(std::span<const std::uint32_t> groups,
-                                                         bool only_first);
+    void keep_settled(bool only_first);
+    [[nodiscard]] std::size_t sort_triangle(SettledHits& settled, std::size_t of);
 
     const Passes* passes_ = nullptr;
     std::span<const SubtreePair> pairs_;
@@ -56,8 +72,10 @@ class SimpleLines {
     Coincident coincident_;           ///< Those found last.
     EqualDepths equal_;
     StableOrder order_;
-    std::vector<std::uint32_t> triangles_;
-    std::vector<std::uint32_t> kept_;
+    std::vector<std::uint32_t> triangles_; ///< By group.
+    std::vector<Placed> in_order_;         ///< By triangle.
+    std::vector<std::size_t> disordered_;  ///< Settled hits that are less than those before them.
+    std::vector<std::pair<std::uint32_t, PairHit>> by_line_; ///< Hits of one triangle.
     std::vector<Candidate> moving_;
 };
 
