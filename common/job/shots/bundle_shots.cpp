@@ -98,16 +98,11 @@ struct BundleShots::State {
         const auto number = static_cast<std::uint32_t>(pairs.size() - 1);
         for (std::size_t i = 0; i < found.triangles.size(); ++i) {
             const PassedTriangle& passed = found.triangles[i];
-            const std::span<const std::uint32_t> of_triangle = found.lines_of(i);
-            std::fill_n(passes.owners.begin() + begin + passed.begin,
-                        of_triangle.size(),
-                        static_cast<std::uint32_t>(passes.groups.size()));
-            passes.groups.push_back(
-                {a.ids[passed.slot], passed.slot, number, begin + passed.begin, passed.flags});
-            depths.add(a, passed.slot, of_triangle);
+            passes.add_group(
+                {a.ids[passed.slot], passed.slot, number, begin + passed.begin, passed.flags},
+                static_cast<std::uint32_t>(found.lines_of(i).size()));
         }
-        const std::span<const double> taken = depths.take();
-        passes.depths.insert(passes.depths.end(), taken.begin(), taken.end());
+        depths.find(a, found.triangles, found.lines, passes.depths);
     }
 
     /// Returns what triangles may hit of the found. Valid until the next call.

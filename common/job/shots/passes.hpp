@@ -1,6 +1,7 @@
 // Hits of lines through the inside of triangles, with their depths.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,9 +18,11 @@ struct Passes {
         std::uint8_t flags = 0;     ///< `hit_flag::crosses` and the side.
     };
 
+    static constexpr std::uint32_t owners_at_once = 4;
+
     std::vector<Group> groups;
     std::vector<std::uint32_t> lines;  ///< By hit: index in B's mesh.
-    std::vector<std::uint32_t> owners; ///< By hit: its group.
+    std::vector<std::uint32_t> owners; ///< By hit: its group. Followed by spare ones.
     std::vector<std::uint32_t> slots;  ///< By hit: of the line in B's subtree.
     std::vector<double> depths;        ///< By hit; NaN if it is not known.
 
@@ -33,8 +36,17 @@ struct Passes {
     /// Adds hits with unset members.
     void grow(std::size_t hits) {
         lines.resize(lines.size() + hits);
-        owners.resize(owners.size() + hits);
         slots.resize(slots.size() + hits);
+        owners.resize(lines.size() + owners_at_once);
+    }
+    /// Adds a group of hits, which have been added.
+    void add_group(const Group& group, std::uint32_t hits) {
+        const auto number = static_cast<std::uint32_t>(groups.size());
+        groups.push_back(group);
+        // Most groups are small: writes of a fixed count take no branch for each hit.
+        for (std::uint32_t i = 0; i < hits; i += owners_at_once) {
+            std::fill_n(&owners[group.begin + i], owners_at_once, number);
+        }
     }
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(lines.size()); }
     /// Returns the index behind the last hit of a group.

@@ -22,27 +22,37 @@ namespace bundle {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Rows of four numbers; a row that is aligned to its size can be loaded at once.
+/// Rows of four numbers.
 using Row = double[4];
+
+/// Loads four numbers.
+template <class D4>
+HWY_INLINE hn::Vec<D4> load_row(D4 d, const double* row) {
+    return hn::LoadU(d, row);
+}
+
+template <class D4>
+HWY_INLINE hn::Vec<D4> load_row(D4 d, const float* row) {
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D4>(), row));
+}
 
 /// The numbers of some rows, one row a lane.
 template <class D>
 struct Columns {
     hn::Vec<D> at[4];
 
-    /// Loads the rows of the given numbers, one for each lane.
-    template <class Number>
-    HWY_INLINE Columns(D d, const Row* rows, const Number* numbers) {
+    /// Loads a row for each lane; `row_of` returns where the four floats or doubles of a lane are.
+    template <class RowOf>
+    HWY_INLINE Columns(D d, const RowOf& row_of) {
 #if HWY_TARGET == HWY_SCALAR
         for (std::size_t i = 0; i < 4; ++i) {
-            at[i] = hn::Set(d, rows[numbers[0]][i]);
+            at[i] = hn::Set(d, row_of(0)[i]);
         }
 #else
         if constexpr (hn::MaxLanes(d) == 8) {
             const hn::Half<D> half;
             const auto two = [&](std::size_t i) {
-                return hn::Combine(
-                    d, hn::Load(half, rows[numbers[i + 1]]), hn::Load(half, rows[numbers[i]]));
+                return hn::Combine(d, load_row(half, row_of(i + 1)), load_row(half, row_of(i)));
             };
             const auto first = two(0);
             const auto second = two(2);
@@ -57,7 +67,7 @@ struct Columns {
             at[2] = hn::ConcatOdd(d, later_even, even);
             at[3] = hn::ConcatOdd(d, later_odd, odd);
         } else if constexpr (hn::MaxLanes(d) == 4) {
-            const auto row = [&](std::size_t i) { return hn::Load(d, rows[numbers[i]]); };
+            const auto row = [&](std::size_t i) { return load_row(d, row_of(i)); };
             const auto lower = hn::InterleaveLower(d, row(0), row(1));
             const auto upper = hn::InterleaveUpper(d, row(0), row(1));
             const auto later_lower = hn::InterleaveLower(d, row(2), row(3));
@@ -67,14 +77,13 @@ struct Columns {
             at[2] = hn::ConcatUpperUpper(d, later_lower, lower);
             at[3] = hn::ConcatUpperUpper(d, later_upper, upper);
         } else {
-            alignas(32) Row copies[hn::MaxLanes(d)];
-            const hn::CappedTag<double, 4> part;
+            alignas(32) Row rows[hn::MaxLanes(d)];
             for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-                for (std::size_t i = 0; i < 4; i += hn::MaxLanes(part)) {
-                    hn::Store(hn::Load(part, rows[numbers[lane]] + i), part, copies[lane] + i);
+                for (std::size_t i = 0; i < 4; ++i) {
+                    rows[lane][i] = row_of(lane)[i];
                 }
             }
-            hn::LoadInterleaved4(d, copies[0], at[0], at[1], at[2], at[3]);
+            hn::LoadInterleaved4(d, rows[0], at[0], at[1], at[2], at[3]);
         }
 #endif
     }

@@ -51,10 +51,21 @@ struct Corner {
     HWY_INLINE Corner() {}
 };
 
-HWY_INLINE Corner load(const DepthsOfMany& many, std::size_t corner, std::size_t first) {
+/// Loads the corners with a given number of a vector of triangles.
+template <class T>
+HWY_INLINE Corner load(const TriangleBlocks& a,
+                       const T* coordinates,
+                       std::size_t corner,
+                       const std::uint32_t* slots) {
+    // The fourth number of a row belongs to the next vertex, or is a spare one.
+    const bundle::Columns columns(Doubles(), [&](std::size_t i) {
+        const std::size_t vertex =
+            a.vertex_begin[slots[i] / block_size] + a.corners[slots[i]][corner];
+        return coordinates + 3 * vertex;
+    });
     Corner loaded;
     for (std::size_t k = 0; k < 3; ++k) {
-        loaded.at[k] = hn::Load(Doubles(), many.corners[corner][k].data() + first);
+        loaded.at[k] = columns.at[k];
     }
     return loaded;
 }
@@ -93,8 +104,10 @@ struct PlanesOfLines {
     V margin;
 
     HWY_INLINE PlanesOfLines(const Planes& planes, const std::uint32_t* triangles) {
-        const bundle::Columns first(Doubles(), planes.first, triangles);
-        const bundle::Columns second(Doubles(), planes.second, triangles);
+        const bundle::Columns first(Doubles(),
+                                    [&](std::size_t i) { return planes.first[triangles[i]]; });
+        const bundle::Columns second(Doubles(),
+                                     [&](std::size_t i) { return planes.second[triangles[i]]; });
         terms[0] = {first.at[0], first.at[1]};
         terms[1] = {first.at[2], first.at[3]};
         terms[2] = {second.at[0], second.at[1]};
@@ -103,16 +116,19 @@ struct PlanesOfLines {
 };
 
 /// Finds the planes of one vector of triangles.
+template <class T>
 HWY_INLINE void find_planes_at(const BundleInA& bundle,
                                const Lines& lines,
                                double scale,
-                               const DepthsOfMany& many,
+                               const TriangleBlocks& blocks,
+                               const T* coordinates,
+                               const std::uint32_t* slots,
                                std::size_t first,
                                Planes& planes) {
     const Doubles d;
-    const Corner a = load(many, 0, first);
-    const Vector u = edge(a, load(many, 1, first));
-    const Vector v = edge(a, load(many, 2, first));
+    const Corner a = load(blocks, coordinates, 0, slots + first);
+    const Vector u = edge(a, load(blocks, coordinates, 1, slots + first));
+    const Vector v = edge(a, load(blocks, coordinates, 2, slots + first));
     const Vector normal = cross(u, v);
     const V zero = hn::Zero(d);
     const Vector corner(Number(a.at[0], zero), Number(a.at[1], zero), Number(a.at[2], zero));
@@ -150,11 +166,14 @@ HWY_INLINE void find_planes_at(const BundleInA& bundle,
 
 /// Finds the depths of a vector of lines, NaN where the margin proves no rounding. Returns the
 /// lanes whose depths are proven.
-HWY_INLINE M find_depths_at(const Planes& planes, std::size_t line, DepthsOfMany& many) {
+HWY_INLINE M find_depths_at(const Planes& planes,
+                            const LineRows& rows,
+                            std::size_t line,
+                            DepthsOfMany& many) {
     const Doubles d;
     const PlanesOfLines of(planes, &many.triangles[line]);
-    const V y = hn::Load(d, &many.across[0][line]);
-    const V z = hn::Load(d, &many.across[1][line]);
+    const V y = bundle::load_each(d, rows.across[0], &many.lines[line]);
+    const V z = bundle::load_each(d, rows.across[1], &many.lines[line]);
     const Number depth = of.terms[0] + (of.terms[1] * y + of.terms[2] * z);
     const V least = hn::Add(depth.high, hn::Sub(depth.low, of.margin));
     const V most = hn::Add(depth.high, hn::Add(depth.low, of.margin));
@@ -163,25 +182,44 @@ HWY_INLINE M find_depths_at(const Planes& planes, std::size_t line, DepthsOfMany
     return is_proven;
 }
 
-bool find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
+template <class T>
+HWY_INLINE bool find_depths(const BundleInA& bundle,
+                            double scale,
+                            const TriangleBlocks& blocks,
+                            const T* coordinates,
+                            const LineRows& rows,
+                            DepthsOfMany& many) {
     const Doubles d;
-    const Lines lines(*bundle);
+    const Lines lines(bundle);
     Planes planes;
-    for (std::size_t first = 0; first < count; first += hn::Lanes(d)) {
-        find_planes_at(*bundle, lines, scale, *many, first, planes);
+    for (std::size_t first = 0; first < many.count; first += hn::Lanes(d)) {
+        find_planes_at(bundle, lines, scale, blocks, coordinates, many.slots.data(), first, planes);
     }
     M are_proven = always();
-    const std::size_t end = many->begins[count];
+    const std::size_t end = many.begins[many.count];
     for (std::size_t line = 0; line < end; line += hn::Lanes(d)) {
-        are_proven = hn::And(are_proven, find_depths_at(planes, line, *many));
+        are_proven = hn::And(are_proven, find_depths_at(planes, rows, line, many));
     }
     return hn::AllTrue(d, are_proven);
 }
 
 } // namespace bundle_depths
 
-bool find_depths_on(const BundleInA* bundle, double scale, std::size_t count, DepthsOfMany* many) {
-    return bundle_depths::find_depths_on(bundle, scale, count, many);
+bool find_depths_of_floats(const BundleInA* bundle,
+                           double scale,
+                           const TriangleBlocks* blocks,
+                           const LineRows* rows,
+                           DepthsOfMany* many) {
+    return bundle_depths::find_depths(*bundle, scale, *blocks, blocks->floats.data(), *rows, *many);
+}
+
+bool find_depths_of_doubles(const BundleInA* bundle,
+                            double scale,
+                            const TriangleBlocks* blocks,
+                            const LineRows* rows,
+                            DepthsOfMany* many) {
+    return bundle_depths::find_depths(
+        *bundle, scale, *blocks, blocks->doubles.data(), *rows, *many);
 }
 
 } // namespace HWY_NAMESPACE
@@ -192,13 +230,18 @@ HWY_AFTER_NAMESPACE();
 
 namespace cd {
 
-HWY_EXPORT(find_depths_on);
+HWY_EXPORT(find_depths_of_floats);
+HWY_EXPORT(find_depths_of_doubles);
 
 bool find_depths(const BundleInA& bundle,
                  double bound_scale,
-                 std::size_t count,
+                 const TriangleBlocks& blocks,
+                 const LineRows& rows,
                  DepthsOfMany& of_many) {
-    return HWY_DYNAMIC_DISPATCH(find_depths_on)(&bundle, bound_scale, count, &of_many);
+    return blocks.doubles.empty() ? HWY_DYNAMIC_DISPATCH(find_depths_of_floats)(
+                                        &bundle, bound_scale, &blocks, &rows, &of_many)
+                                  : HWY_DYNAMIC_DISPATCH(find_depths_of_doubles)(
+                                        &bundle, bound_scale, &blocks, &rows, &of_many);
 }
 
 } // namespace cd

@@ -1,7 +1,9 @@
 // SIMD kernel of BundleDepths, compiled for every target; plain values in and out.
 #pragma once
 
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/numbers/double_double.hpp"
+#include "common/shots/bundle/parallel_lines.hpp"
 
 #include <array>
 #include <cstddef>
@@ -28,23 +30,26 @@ struct BundleInA {
 struct DepthsOfMany {
     static constexpr std::size_t triangles_most = 64;
     static constexpr std::size_t lines_most = 512;
-    static constexpr std::size_t spare_lines = 8; ///< May be read and written behind the last.
-    using OfTriangles = std::array<double, triangles_most>;
-    using OfLines = std::array<double, lines_most + spare_lines>;
+    static constexpr std::size_t spare = 8; ///< May be read and written behind the last.
+    template <class T>
+    using OfLines = std::array<T, lines_most + spare>;
 
-    alignas(64) std::array<std::array<OfTriangles, 3>, 3> corners; ///< By corner, then by axis.
+    std::size_t count = 0; ///< Of triangles.
+    std::array<std::uint32_t, triangles_most + spare> slots;
     /// Where the lines of each triangle begin, and their count at the end.
     std::array<std::size_t, triangles_most + 1> begins;
-    /// The triangle of each line, also of spare ones.
-    std::array<std::uint32_t, lines_most + spare_lines> triangles;
-    alignas(64) std::array<OfLines, 2> across; ///< The lines' places.
-    alignas(64) OfLines depths;                ///< NaN where it is unproven.
+    OfLines<std::uint32_t> triangles;   ///< The number of each line's triangle among `slots`.
+    OfLines<std::uint32_t> lines;       ///< Places in `LineRows`.
+    alignas(64) OfLines<double> depths; ///< NaN where it is unproven.
 };
 
-/// Computes the depths of the lines of the first `count` triangles. All slots of corners and lines
-/// must hold numbers. Multiplies bounds of errors by `bound_scale`. Returns whether all depths are
-/// proven; may return false where they are.
-[[nodiscard]] bool
-find_depths(const BundleInA& bundle, double bound_scale, std::size_t count, DepthsOfMany& of_many);
+/// Computes the depths of lines. The spare slots and lines must be some that are there. Multiplies
+/// bounds of errors by `bound_scale`. Returns whether all depths are proven; may return false where
+/// they are.
+[[nodiscard]] bool find_depths(const BundleInA& bundle,
+                               double bound_scale,
+                               const TriangleBlocks& blocks,
+                               const LineRows& rows,
+                               DepthsOfMany& of_many);
 
 } // namespace cd

@@ -94,10 +94,6 @@ BundleDepths::BundleDepths(double bound_scale)
 }
 
 void BundleDepths::restart(const PosePair& poses, const ParallelLines& lines) {
-    triangles_ = 0;
-    lines_ = 0;
-    depths_.clear();
-    is_taken_ = false;
     rows_ = lines.rows();
     aligned_ = aligned_axis(poses, lines);
     const DoubleDoubleMatrix a = double_double_rotation(poses.a);
@@ -164,86 +160,76 @@ std::optional<BundleDepths::AlignedAxis> BundleDepths::aligned_axis(const PosePa
 
 /// Returns the depth of a triangle across the lines, which often lies midway between two doubles,
 /// where no error bound proves the rounding.
-std::optional<double> BundleDepths::aligned_depth(std::size_t triangle) const {
-    const auto& corners = many_->corners;
-    const std::size_t axis = aligned_->axis;
-    const double x = corners[0][axis][triangle];
-    if (corners[1][axis][triangle] != x || corners[2][axis][triangle] != x) {
+std::optional<double> BundleDepths::aligned_depth(const Corners& corners) const {
+    const auto axis = static_cast<Eigen::Index>(aligned_->axis);
+    const double x = corners[0][axis];
+    if (corners[1][axis] != x || corners[2][axis] != x) {
         return std::nullopt;
     }
     const auto& [a, b, c] = aligned_->terms;
     return nearest_sum<4>({aligned_->sign * x, a, b, c});
 }
 
-void BundleDepths::add(const TriangleBlocks& a,
-                       std::uint32_t slot,
-                       std::span<const std::uint32_t> lines) {
-    if (is_taken_) {
-        depths_.clear();
-        is_taken_ = false;
-    }
-    while (!lines.empty()) {
-        if (triangles_ == DepthsOfMany::triangles_most || lines_ == DepthsOfMany::lines_most) {
-            find_waiting();
-        }
-        add_triangle(a, slot);
-        const auto number = static_cast<std::uint32_t>(triangles_ - 1);
-        const std::size_t count = std::min(lines.size(), DepthsOfMany::lines_most - lines_);
-        for (const std::uint32_t line : lines.first(count)) {
-            many_->across[0][lines_] = rows_.across[0][line];
-            many_->across[1][lines_] = rows_.across[1][line];
-            many_->triangles[lines_] = number;
-            ++lines_;
-        }
-        lines = lines.subspan(count);
-    }
-}
-
-/// Adds a triangle whose lines are those that are added next.
-void BundleDepths::add_triangle(const TriangleBlocks& a, std::uint32_t slot) {
-    const std::size_t first = a.vertex_begin[slot / block_size];
-    const auto set = [&](const auto* coordinates) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto* const corner = coordinates + 3 * (first + a.corners[slot][i]);
-            for (std::size_t k = 0; k < 3; ++k) {
-                many_->corners[i][k][triangles_] = double{corner[k]};
+void BundleDepths::find(const TriangleBlocks& a,
+                        std::span<const PassedTriangle> triangles,
+                        std::span<const std::uint32_t> lines,
+                        std::vector<double>& depths) {
+    Taken taken;
+    while (taken.lines < lines.size()) {
+        const std::size_t before = taken.lines;
+        take(triangles, lines, taken);
+        if (!find_depths(bundle_, bound_scale_, a, rows_, *many_) && aligned_) {
+            for (std::size_t triangle = 0; triangle < many_->count; ++triangle) {
+                align(a, triangle);
             }
         }
-    };
-    a.doubles.empty() ? set(a.floats.data()) : set(a.doubles.data());
-    many_->begins[triangles_++] = lines_;
-}
-
-std::span<const double> BundleDepths::take() {
-    if (is_taken_) {
-        return {};
+        const auto found = std::span(many_->depths).first(taken.lines - before);
+        depths.insert(depths.end(), found.begin(), found.end());
     }
-    find_waiting();
-    is_taken_ = true;
-    return depths_;
 }
 
-void BundleDepths::find_waiting() {
-    many_->begins[triangles_] = lines_;
-    if (!find_depths(bundle_, bound_scale_, triangles_, *many_) && aligned_) {
-        for (std::size_t triangle = 0; triangle < triangles_; ++triangle) {
-            align(triangle);
+/// Takes as many further triangles and lines as there is room for. A triangle all of whose lines
+/// have no room is taken again for the others.
+void BundleDepths::take(std::span<const PassedTriangle> triangles,
+                        std::span<const std::uint32_t> lines,
+                        Taken& taken) {
+    constexpr std::uint32_t at_once = 4;
+    static_assert(at_once <= DepthsOfMany::spare);
+    DepthsOfMany& many = *many_;
+    const std::size_t first = taken.lines;
+    const std::size_t most = std::min(first + DepthsOfMany::lines_most, lines.size());
+    many.count = 0;
+    while (taken.lines < most && many.count < DepthsOfMany::triangles_most) {
+        const std::size_t next = taken.triangles + 1;
+        const std::size_t its_end = next < triangles.size() ? triangles[next].begin : lines.size();
+        const std::size_t end = std::min(its_end, most);
+        many.slots[many.count] = triangles[taken.triangles].slot;
+        many.begins[many.count] = taken.lines - first;
+        // Most triangles have few lines: writes of a fixed count take no branch for each.
+        for (std::size_t i = taken.lines; i < end; i += at_once) {
+            std::fill_n(
+                &many.triangles[i - first], at_once, static_cast<std::uint32_t>(many.count));
         }
+        ++many.count;
+        taken.lines = end;
+        taken.triangles = end == its_end ? next : taken.triangles;
     }
-    const auto begin = many_->depths.begin();
-    depths_.insert(depths_.end(), begin, begin + static_cast<std::ptrdiff_t>(lines_));
-    triangles_ = 0;
-    lines_ = 0;
+    const std::size_t count = taken.lines - first;
+    many.begins[many.count] = count;
+    std::ranges::copy(lines.subspan(first, count), many.lines.begin());
+    std::fill_n(&many.lines[count], DepthsOfMany::spare, many.lines[0]);
+    std::fill_n(&many.triangles[count], DepthsOfMany::spare, 0u);
+    std::fill_n(&many.slots[many.count], DepthsOfMany::spare, many.slots[0]);
 }
 
 /// Finds depths of a triangle that bounds do not prove.
-void BundleDepths::align(std::size_t triangle) {
+void BundleDepths::align(const TriangleBlocks& a, std::size_t triangle) {
     const std::span<double> depths =
         std::span(many_->depths)
             .subspan(many_->begins[triangle],
                      many_->begins[triangle + 1] - many_->begins[triangle]);
     if (std::ranges::any_of(depths, [](double depth) { return std::isnan(depth); })) {
-        const double depth = aligned_depth(triangle).value_or(NAN);
+        const double depth = aligned_depth(a.corners_at(many_->slots[triangle])).value_or(NAN);
         std::ranges::replace_if(
             depths, [](double each) { return std::isnan(each); }, depth);
     }

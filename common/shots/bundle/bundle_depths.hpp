@@ -5,6 +5,7 @@
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/shots/bundle/bundle_depth_kernel.hpp"
 #include "common/shots/bundle/parallel_lines.hpp"
+#include "common/shots/bundle/passed_triangle.hpp"
 
 #include <array>
 #include <cstddef>
@@ -27,15 +28,15 @@ class BundleDepths {
     /// less to show that the bounds are needed.
     explicit BundleDepths(double bound_scale = 1);
 
-    /// Selects poses that suit, and the bundle, which outlives all calls of `add`.
+    /// Selects poses that suit, and the bundle, which outlives all calls of `find`.
     void restart(const PosePair& poses, const ParallelLines& lines);
 
-    /// Adds the triangle of A in a slot, and lines that pass through it, by their places in
-    /// `LineRows`.
-    void add(const TriangleBlocks& a, std::uint32_t slot, std::span<const std::uint32_t> lines);
-    /// Returns the depths of all lines that were added since the last call, in that order, NaN
-    /// where the bounds prove none. Valid until the next call of `add`.
-    [[nodiscard]] std::span<const double> take();
+    /// Appends the depths of lines, given by their places in `LineRows`, to `depths`: NaN where the
+    /// bounds prove none. The triangles, of A, say which lines pass through each.
+    void find(const TriangleBlocks& a,
+              std::span<const PassedTriangle> triangles,
+              std::span<const std::uint32_t> lines,
+              std::vector<double>& depths);
 
   private:
     /// An axis of A that is along the lines, if the poses permute axes, and the terms whose sum
@@ -47,20 +48,22 @@ class BundleDepths {
     };
     [[nodiscard]] static std::optional<AlignedAxis> aligned_axis(const PosePair& poses,
                                                                  const ParallelLines& lines);
-    [[nodiscard]] std::optional<double> aligned_depth(std::size_t triangle) const;
-    void add_triangle(const TriangleBlocks& a, std::uint32_t slot);
-    void find_waiting();
-    void align(std::size_t triangle);
+    [[nodiscard]] std::optional<double> aligned_depth(const Corners& corners) const;
+    /// Counts what is done.
+    struct Taken {
+        std::size_t triangles = 0; ///< All lines of these.
+        std::size_t lines = 0;
+    };
+    void take(std::span<const PassedTriangle> triangles,
+              std::span<const std::uint32_t> lines,
+              Taken& taken);
+    void align(const TriangleBlocks& a, std::size_t triangle);
 
     double bound_scale_;
     BundleInA bundle_;
     LineRows rows_{};
     std::optional<AlignedAxis> aligned_;
-    std::unique_ptr<DepthsOfMany> many_; ///< What was added, but for what has its depth.
-    std::size_t triangles_ = 0;          ///< Of `many_`.
-    std::size_t lines_ = 0;              ///< Of `many_`.
-    bool is_taken_ = false;
-    std::vector<double> depths_;
+    std::unique_ptr<DepthsOfMany> many_; ///< Those in work.
 };
 
 } // namespace cd

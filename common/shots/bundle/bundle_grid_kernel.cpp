@@ -159,8 +159,9 @@ struct CornersInTurn {
     }
     /// Returns the triangles of the given numbers, one for each lane.
     [[nodiscard]] HWY_INLINE Target target(const std::uint8_t* triangles) const {
-        const bundle::Columns first(Doubles(), first_two, triangles);
-        const bundle::Columns second(Doubles(), third, triangles);
+        const bundle::Columns first(Doubles(),
+                                    [&](std::size_t i) { return first_two[triangles[i]]; });
+        const bundle::Columns second(Doubles(), [&](std::size_t i) { return third[triangles[i]]; });
         Target target;
         target.x[0] = first.at[0];
         target.y[0] = first.at[1];

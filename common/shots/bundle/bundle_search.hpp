@@ -8,6 +8,7 @@
 #include "common/shots/bundle/bundle_marks_kernel.hpp"
 #include "common/shots/bundle/bundle_triangles_kernel.hpp"
 #include "common/shots/bundle/parallel_lines.hpp"
+#include "common/shots/bundle/passed_triangle.hpp"
 #include "common/tree/wide/wide_node.hpp"
 
 #include <cstdint>
@@ -16,14 +17,6 @@
 #include <vector>
 
 namespace cd {
-
-/// A triangle, and where the lines begin that pass through its inside, with both their ends outside
-/// of its plane.
-struct PassedTriangle {
-    std::uint32_t slot = 0; ///< Of A.
-    std::uint32_t begin = 0;
-    std::uint8_t flags = 0; ///< `hit_flag::crosses` and the side.
-};
 
 /// The search projects A along the lines. A line that is at a positive distance from the shadows of
 /// a triangle's edges, by the signs of three turns, passes through it or misses it; doubles prove

@@ -14,19 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
 #include <vector>
 
 namespace cd::tests {
 
 namespace {
-
-std::vector<std::uint32_t> iota(std::size_t count) {
-    std::vector<std::uint32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    return numbers;
-}
 
 /// Returns the block of one triangle, in floats if they hold it.
 TriangleBlockArrays block_of(const Corners& t) {
@@ -38,12 +30,12 @@ TriangleBlockArrays block_of(const Corners& t) {
     return blocks;
 }
 
-/// Returns the depth of one line and triangle, in the world.
-double alone(const ParallelLines& lines, const Corners& t, std::uint32_t place) {
-    BundleDepths depths;
-    depths.restart({}, lines);
-    depths.add(block_of(t).view(), 0, {&place, 1});
-    return depths.take()[0];
+/// Returns the depth of one line and triangle.
+double depth_of(BundleDepths& depths, const Corners& t, std::uint32_t place) {
+    const PassedTriangle passed;
+    std::vector<double> found;
+    depths.find(block_of(t).view(), {&passed, 1}, {&place, 1}, found);
+    return found.at(0);
 }
 
 struct Judged {
@@ -72,8 +64,7 @@ void for_each_depth(const BundleCase& c, double bound_scale, const Judge& judge)
             const auto flags = exact.flags(t, line);
             if (flags && (*flags & hit_flag::crosses) != 0 &&
                 (*flags & (hit_flag::edge | hit_flag::corner)) == 0) {
-                depths.add(block_of(t).view(), 0, {&place, 1});
-                judge(t, line, depths.take()[0]);
+                judge(t, line, depth_of(depths, t, place));
             }
         }
     }
@@ -158,29 +149,37 @@ TEST(BundleDepths, AreTheSameOnEveryTarget) {
     });
 }
 
-TEST(BundleDepths, ManyAreTakenAtOnce) {
+TEST(BundleDepths, ManyAreFoundAtOnce) {
     std::mt19937_64 random(1);
     const ObbTree tree = make_tree(mesh_of(grid_lines(random, 0, {8, 8}, 0.1, 0, {3, -3})));
     ParallelLines lines;
     ASSERT_TRUE(lines.assign(tree.view().wide));
     BundleDepths depths;
     depths.restart({}, lines);
-    const std::vector<std::uint32_t> all = iota(lines.slots().size());
-    std::vector<double> expected;
-    for (std::size_t i = 0; i < 100; ++i) {
-        const double x = -2 + 0.03125 * static_cast<double>(i);
-        // The plane rises by 1 from y = -9 to 9.
-        const Corners t{Vec3(x, -9, -9), Vec3(x + 1, 9, -9), Vec3(x + 0.5, 0, 18)};
-        const std::span<const std::uint32_t> some = std::span(all).subspan(0, i % 65);
-        depths.add(block_of(t).view(), 0, some);
-        for (const std::uint32_t place : some) {
-            expected.push_back(alone(lines, t, place));
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+        TriangleBlockArrays blocks(precision);
+        std::vector<PassedTriangle> triangles;
+        std::vector<std::uint32_t> places;
+        std::vector<double> expected;
+        for (std::uint32_t i = 0; i < 20 * block_size; ++i) {
+            const double x = -2 + 0.0078125 * i;
+            // The plane rises by 1 from y = -9 to 9.
+            const std::vector<Vec3> t{Vec3(x, -9, -9), Vec3(x + 1, 9, -9), Vec3(x + 0.5, 0, 18)};
+            const Triangle triangle{0, 1, 2};
+            const std::uint32_t slot = block_size * blocks.add({&triangle, 1}, {&i, 1}, t);
+            triangles.push_back({slot, static_cast<std::uint32_t>(places.size()), 0});
+            // Some have one line, some few, and some all.
+            for (std::uint32_t place = 0; place <= i * i % (i % 3 == 0 ? 64 : 3); ++place) {
+                places.push_back((place + i) % 64);
+                expected.push_back(depth_of(depths, {t[0], t[1], t[2]}, places.back()));
+            }
         }
+        std::vector<double> found{7};
+        depths.find(blocks.view(), triangles, places, found);
+        EXPECT_GT(expected.size(), 5 * DepthsOfMany::lines_most);
+        expected.insert(expected.begin(), 7);
+        EXPECT_EQ(found, expected);
     }
-    const std::span<const double> taken = depths.take();
-    EXPECT_TRUE(std::ranges::equal(taken, expected));
-    EXPECT_GT(taken.size(), 5 * DepthsOfMany::lines_most);
-    EXPECT_TRUE(depths.take().empty());
 }
 
 } // namespace cd::tests

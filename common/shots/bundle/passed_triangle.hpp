@@ -1,0 +1,16 @@
+// A triangle of A that lines of a bundle pass through.
+#pragma once
+
+#include <cstdint>
+
+namespace cd {
+
+/// A triangle, and where the lines begin that pass through its inside, with both their ends outside
+/// of its plane.
+struct PassedTriangle {
+    std::uint32_t slot = 0; ///< Of A.
+    std::uint32_t begin = 0;
+    std::uint8_t flags = 0; ///< `hit_flag::crosses` and the side.
+};
+
+} // namespace cd
