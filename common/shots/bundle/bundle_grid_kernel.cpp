@@ -217,16 +217,20 @@ void mark_few(const BlockAcross& placed,
         }
         passing &= ~open;
     }
+    std::uint32_t runs = 0;
+    std::uint32_t passes = 0;
     MarkedPairs::Run run{block_size, 0, false};
     for (; passing != 0; passing &= passing - 1) {
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing);
         const std::uint32_t triangle = pairs.triangles[i];
         const bool is_new = triangle != run.triangle;
-        run = {triangle, is_new ? to.passes : run.begin, (marks.left >> i & 1) != 0};
-        to.runs += is_new ? 1 : 0;
-        to.of_triangles[to.runs - 1] = run;
-        to.passing[to.passes++] = pairs.lines[i];
+        run = {triangle, is_new ? passes : run.begin, (marks.left >> i & 1) != 0};
+        runs += is_new ? 1 : 0;
+        to.of_triangles[runs - 1] = run;
+        to.passing[passes++] = pairs.lines[i];
     }
+    to.runs = runs;
+    to.passes = passes;
     for (; open != 0; open &= open - 1) {
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero64(open);
         to.open_triangles[to.open] = pairs.triangles[i];

@@ -60,10 +60,8 @@ BundleSearch::Found BundleSearch::next() {
     found_.lines.clear();
     found_.open.clear();
     while (found_.lines.size() + found_.open.size() < found_at_once && !is_done()) {
-        if (waiting_.size() == waiting_most || stack_.empty()) {
-            const Leaf leaf = waiting_.front();
-            waiting_.erase(waiting_.begin());
-            test_leaf(leaf);
+        if (waiting_.is_full() || stack_.empty()) {
+            test_leaf(waiting_.take());
         } else {
             const std::uint32_t node = stack_.back();
             stack_.pop_back();
@@ -103,7 +101,7 @@ void BundleSearch::visit(const WideNode& node) {
         return;
     }
     if (node.is_leaf) {
-        waiting_.push_back({&node, found});
+        waiting_.add({&node, found});
         prefetch_block(a_.triangles, node.first);
         return;
     }

@@ -11,6 +11,7 @@
 #include "common/shots/bundle/passed_triangle.hpp"
 #include "common/tree/wide/wide_node.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -79,8 +80,22 @@ class BundleSearch {
         std::vector<std::uint32_t> lines;
         std::vector<Candidate> open;
     };
-    /// Leaves wait for their triangles to arrive from memory.
-    static constexpr std::size_t waiting_most = 8;
+    /// Leaves that wait for their triangles to arrive from memory, the oldest first.
+    class Leaves {
+      public:
+        [[nodiscard]] bool empty() const { return begin_ == end_; }
+        [[nodiscard]] bool is_full() const { return end_ - begin_ == most; }
+        void clear() { begin_ = end_; }
+        void add(const Leaf& leaf) { leaves_[end_++ % most] = leaf; }
+        [[nodiscard]] Leaf take() { return leaves_[begin_++ % most]; }
+
+      private:
+        static constexpr std::uint32_t most = 8;
+
+        std::array<Leaf, most> leaves_;
+        std::uint32_t begin_ = 0; ///< Counts on and wraps around.
+        std::uint32_t end_ = 0;
+    };
 
     [[nodiscard]] std::uint32_t children_of(const WideNode& node) const;
     void visit(const WideNode& node);
@@ -93,8 +108,8 @@ class BundleSearch {
     Across across_;
     std::optional<BundleFrame> frame_;
     std::vector<std::uint32_t> stack_;
-    std::vector<Leaf> waiting_; ///< At most `waiting_most`, the oldest first.
-    BlockAcross placed_;        ///< The triangles of the leaf that is tested.
+    Leaves waiting_;
+    BlockAcross placed_; ///< The triangles of the leaf that is tested.
     MarkedPairs marked_;
     Lists found_;
     Tests tests_;

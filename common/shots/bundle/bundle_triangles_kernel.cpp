@@ -139,6 +139,7 @@ HWY_INLINE void place(const T* from,
     for (std::size_t begin = 0; begin < placed_count; begin += hn::Lanes(Doubles())) {
         place_triangles(begin, bundle, placed);
     }
+    placed.between &= (1u << placed_count) - 1;
 }
 
 void place_floats(const float* from,
