@@ -238,19 +238,22 @@ void mark_few(const BlockAcross& placed,
     }
 }
 
-/// Appends the selected lines of a vector of consecutive lines to those that pass. With few lanes
-/// a loop without branches is faster than CompressBits, which reads a table.
-HWY_INLINE void add_passing(std::uint32_t which, std::uint32_t first, MarkedPairs& to) {
+/// Appends the selected lines of a vector of consecutive lines to the `passes` lines that pass, and
+/// returns their new count. With few lanes a loop without branches is faster than CompressBits,
+/// which reads a table.
+HWY_INLINE std::uint32_t
+add_passing(std::uint32_t which, std::uint32_t first, std::uint32_t passes, MarkedPairs& to) {
     if constexpr (lanes <= 4) {
         for (std::uint32_t i = 0; i < lanes; ++i) {
-            to.passing[to.passes] = first + i;
-            to.passes += which >> i & 1;
+            to.passing[passes] = first + i;
+            passes += which >> i & 1;
         }
+        return passes;
     } else {
         const hn::Rebind<std::uint32_t, Doubles> d;
         const std::uint8_t bits[8] = {static_cast<std::uint8_t>(which)};
-        hn::StoreU(hn::CompressBits(hn::Iota(d, first), bits), d, &to.passing[to.passes]);
-        to.passes += static_cast<std::uint32_t>(hwy::PopCount(which));
+        hn::StoreU(hn::CompressBits(hn::Iota(d, first), bits), d, &to.passing[passes]);
+        return passes + static_cast<std::uint32_t>(hwy::PopCount(which));
     }
 }
 
@@ -267,36 +270,40 @@ bool mark_many(const BlockAcross& placed,
     const Span rows = spans.rows(triangle);
     const Target target(placed, triangle);
     const std::uint32_t passing_lanes = (placed.between >> triangle & 1) != 0 ? ~0u : 0u;
-    MarkedPairs::Run& run = to.of_triangles[to.runs];
-    run = {triangle, to.passes, false};
-    bool has_room = std::max(to.passes, to.open) + lanes <= MarkedPairs::most;
-    while (walk.row < rows.count && has_room) {
-        const std::uint32_t line =
-            (rows.first + walk.row) * lines.columns + columns.first + walk.line;
-        const std::uint32_t count = std::min(columns.count - walk.line, lanes);
-        to.tested += count;
+    // Counts in registers: the compiler must assume that writes to `to` change all others.
+    std::uint32_t row = walk.row;
+    std::uint32_t done = walk.line;
+    std::uint32_t tested = 0;
+    std::uint32_t passes = to.passes;
+    std::uint32_t left = 0;
+    while (row < rows.count && std::max(passes, to.open) + lanes <= MarkedPairs::most) {
+        const std::uint32_t line = (rows.first + row) * lines.columns + columns.first + done;
+        const std::uint32_t count = std::min(columns.count - done, lanes);
+        tested += count;
         const Marks marks = bundle::marks_of(target,
                                              hn::LoadU(d, lines.across[0] + line),
                                              hn::LoadU(d, lines.across[1] + line),
                                              (1u << count) - 1);
         const std::uint32_t inside = marks.left | marks.right;
-        run.turns_left |= marks.left != 0;
-        add_passing(inside & passing_lanes, line, to);
+        left |= marks.left;
+        passes = add_passing(inside & passing_lanes, line, passes, to);
         for (std::uint32_t open = marks.open | (inside & ~passing_lanes); open != 0;
              open &= open - 1) {
             to.open_triangles[to.open] = static_cast<std::uint8_t>(triangle);
             to.open_lines[to.open++] =
                 line + static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(open));
         }
-        walk.line += count;
-        if (walk.line == columns.count) {
-            walk.line = 0;
-            ++walk.row;
-        }
-        has_room = std::max(to.passes, to.open) + lanes <= MarkedPairs::most;
+        const bool is_row_done = done + count == columns.count;
+        done = is_row_done ? 0 : done + count;
+        row += is_row_done ? 1 : 0;
     }
-    to.runs += to.passes > run.begin ? 1 : 0;
-    return walk.row == rows.count;
+    to.of_triangles[to.runs] = {triangle, to.passes, left != 0};
+    to.runs += passes > to.passes ? 1 : 0;
+    to.passes = passes;
+    to.tested += tested;
+    walk.row = row;
+    walk.line = done;
+    return row == rows.count;
 }
 
 bool mark_grid_pairs_on(const BlockAcross* placed,
