@@ -3,10 +3,27 @@
 #include "common/shots/line_hit.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 
 namespace cd {
+
+namespace {
+
+/// Returns whether two triangles of one block have the same three of its vertices. Others may have
+/// the same corners, too.
+bool have_same_vertices(const TriangleBlocks& blocks, std::uint32_t left, std::uint32_t right) {
+    static_assert(block_vertices_max <= 64);
+    const auto vertices_of = [&](std::uint32_t slot) {
+        const BlockCorners& corners = blocks.corners[slot];
+        return std::uint64_t{1} << corners[0] | std::uint64_t{1} << corners[1] |
+               std::uint64_t{1} << corners[2];
+    };
+    return vertices_of(left) == vertices_of(right) && std::popcount(vertices_of(left)) == 3;
+}
+
+} // namespace
 
 void SimpleLines::restart(const Passes& passes, std::span<const SubtreePair> pairs) {
     passes_ = &passes;
@@ -60,14 +77,17 @@ void SimpleLines::open(std::uint32_t line) {
 
 /// Returns whether the triangles of a group and of an earlier one have the same corners.
 bool SimpleLines::is_at_one_place(std::size_t group, std::size_t earlier) {
-    const auto corners_of = [&](std::size_t number) {
-        const Passes::Group& of = passes_->groups[number];
-        return pairs_[of.pair].a.wide.triangles.corners_at(of.slot);
-    };
     if (coincident_.group == group && coincident_.earlier == earlier) {
         return true;
     }
-    if (!are_coincident(corners_of(group), corners_of(earlier))) {
+    const Passes::Group& left = passes_->groups[group];
+    const Passes::Group& right = passes_->groups[earlier];
+    const TriangleBlocks& of_left = pairs_[left.pair].a.wide.triangles;
+    const TriangleBlocks& of_right = pairs_[right.pair].a.wide.triangles;
+    const bool is_one_block =
+        left.pair == right.pair && left.slot / block_size == right.slot / block_size;
+    if (!(is_one_block && have_same_vertices(of_left, left.slot, right.slot)) &&
+        !are_coincident(of_left.corners_at(left.slot), of_right.corners_at(right.slot))) {
         return false;
     }
     coincident_ = {group, earlier};
