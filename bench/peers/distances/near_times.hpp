@@ -24,8 +24,8 @@ struct NearFloats {
 [[nodiscard]] std::vector<NearFloats>
 measure_near_floats(const Scene& scene, double clearance, std::size_t rounds);
 
-/// Returns the processor time, the median over the rounds, that each pose of the scene takes to
-/// tell whether any pair is within the clearance.
+/// Returns the time, the median over the rounds, that each pose of the scene takes to tell whether
+/// any pair is within the clearance.
 [[nodiscard]] std::vector<double>
 measure_near_queries(const Scene& scene, double clearance, std::size_t rounds);
 
