@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace cd::tests {
 
 namespace {
@@ -33,6 +36,21 @@ TEST(Hash, IsTheSameInPieces) {
     stream.update({});
     stream.update(bytes_of("bc"));
     EXPECT_EQ(to_hex(stream.finish()), hash_of_abc);
+}
+
+TEST(Hash, HmacHasItsPublishedValues) {
+    // RFC 4231, cases 1 and 2: a short key counts as one padded with zeros.
+    const auto mac = [](std::string_view key, std::string_view text) {
+        Sha256 padded{};
+        std::ranges::copy(bytes_of(key), padded.bytes.begin());
+        return to_hex(hmac_sha256(padded, bytes_of(text)));
+    };
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_EQ(mac(std::string(20, '\x0b'), "Hi There"),
+                  "b0344c61d8db38535ca8afceaf0bf12b881dc200c9833da726e9376c2e32cff7");
+        EXPECT_EQ(mac("Jefe", "what do ya want for nothing?"),
+                  "5bdcc146bf60754e6a042426089575c75a003f089d2739839dec58b964ec3843");
+    }
 }
 
 TEST(Hash, TextComesBackAsTheHash) {
