@@ -47,7 +47,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
 BlockActions
 BlockDirector::wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now) {
     Event event{now, {}, {}, {}};
-    std::map<WorkerId, std::vector<RootIndex>> given;
+    RootsBySource given;
     for (const RootIndex root : roots) {
         want(worker, {tree, root}, given, event);
     }
@@ -63,7 +63,7 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
-        index_.add_hold(worker, block);
+        index_.add_hold(worker, block, now);
         // The worker now serves the workers that waited until it had the block, so none of them
         // has lost a source.
         if (index_.at(worker).holds.contains(block)) {
@@ -141,10 +141,13 @@ BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
     auto place = index_.blocks().lower_bound({tree, 0});
     while (place != index_.blocks().end() && place->first.tree == tree) {
         const BlockKey block = (place++)->first;
-        for (const auto& [worker, peer] : index_.peers()) {
-            index_.lose_hold(worker, block);
-            index_.stop_waiting(worker, block);
-            if (const auto fetch = index_.stop_sending(worker, block)) {
+        for (const auto& peer : index_.peers()) {
+            if (peer == nullptr) {
+                continue;
+            }
+            index_.lose_hold(peer->id, block);
+            index_.stop_waiting(peer->id, block);
+            if (const auto fetch = index_.stop_sending(peer->id, block)) {
                 end_part(*fetch, event);
             }
         }
@@ -155,36 +158,43 @@ BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
 
 BlockActions BlockDirector::time_is(Time now) {
     Event event{now, {}, {}, {}};
-    const auto line = index_.line();
-    for (const auto& [place, worker] : line) {
-        const auto waits_for = index_.at(worker).waits_for;
-        for (const auto& [block, since] : waits_for) {
-            if (now - since >= timing::peer_wait_max) {
+    send_what_does_not_spread(event);
+    while (!fetches_.empty() && fetches_.begin()->second.deadline <= now) {
+        const FetchId late = fetches_.begin()->first;
+        const WorkerId worker = fetches_.begin()->second.to;
+        const auto comes = index_.at(worker).comes;
+        for (const auto& [block, fetch] : comes) {
+            if (fetch == late) {
                 send_from_master(worker, block, event);
             }
         }
     }
+    return settle(std::move(event));
+}
+
+void BlockDirector::send_what_does_not_spread(Event& event) {
     std::vector<std::pair<WorkerId, BlockKey>> late;
-    for (const auto& [worker, peer] : index_.peers()) {
-        for (const auto& [block, id] : peer.comes) {
-            if (id != 0 && now >= fetches_.at(id).deadline) {
+    for (const auto& [block, state] : index_.awaited()) {
+        if (event.now - state->last_spread < timing::peer_wait_max) {
+            continue;
+        }
+        for (const auto& [place, worker] : state->awaited_by) {
+            if (event.now - index_.at(worker).waits_for.at(block) >= timing::peer_wait_max) {
                 late.emplace_back(worker, block);
             }
         }
     }
     for (const auto& [worker, block] : late) {
-        forget_delivery(worker, block, event);
         send_from_master(worker, block, event);
     }
-    return settle(std::move(event));
 }
 
 // ---- Questions --------------------------------------------------------------------------------
 
 std::size_t BlockDirector::open() const {
     std::size_t open = 0;
-    for (const auto& [worker, peer] : index_.peers()) {
-        open += peer.comes.size() + peer.waits_for.size();
+    for (const auto& peer : index_.peers()) {
+        open += peer == nullptr ? 0 : peer->comes.size() + peer->waits_for.size();
     }
     return open;
 }
@@ -194,37 +204,58 @@ bool BlockDirector::is_avoided(WorkerId worker) const {
     return peer != nullptr && peer->is_avoided;
 }
 
-WorkerId
-BlockDirector::first_source(const BlockIndex::Block& block,
-                            WorkerId worker,
-                            const std::map<WorkerId, std::vector<RootIndex>>& given) const {
-    const auto may_give = [&](WorkerId source) {
-        return block.holders.contains(source) && index_.can_serve(source, worker);
-    };
-    // Prefers a source that this event has not used yet, with the fewest uploads.
+WorkerId BlockDirector::first_source(const BlockIndex::Block& block,
+                                     WorkerId worker,
+                                     const RootsBySource& given) const {
+    WorkerId source = given.size() < limits::sources_of_a_request_max
+                          ? new_source(block, worker, given)
+                          : WorkerId{};
+    if (source == WorkerId{}) {
+        source = given_source(block, worker, given);
+    }
+    return source == WorkerId{} ? new_source(block, worker, given) : source;
+}
+
+WorkerId BlockDirector::new_source(const BlockIndex::Block& block,
+                                   WorkerId worker,
+                                   const RootsBySource& given) const {
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
     std::size_t looked_at = 0;
-    const BlockIndex::Workers& free = index_.free();
-    for (const WorkerId source : free.size() < block.holders.size() ? free : block.holders) {
-        if (!free.contains(source) || given.contains(source) || !may_give(source)) {
-            continue;
+    const auto has_enough = [&] {
+        return least == 0 || (best != WorkerId{} && looked_at >= limits::sources_looked_at_max);
+    };
+    const auto next = [&](BlockIndex::Slot from) {
+        return index_.free().next_common(block.holders, from);
+    };
+    const auto look = [&](BlockIndex::Slot from, BlockIndex::Slot end) {
+        for (auto slot = next(from); slot < end && !has_enough(); slot = next(slot + 1)) {
+            ++looked_at;
+            const BlockIndex::Peer& source = *index_.peers()[slot];
+            if (source.uploads < least && !given.contains(source.id) &&
+                BlockIndex::can_serve(source, worker)) {
+                best = source.id;
+                least = source.uploads;
+            }
         }
-        if (const std::size_t uploads = index_.at(source).uploads; uploads < least) {
-            best = source;
-            least = uploads;
-        }
-        if (least == 0 || ++looked_at == limits::sources_looked_at_max) {
-            break;
-        }
-    }
-    if (best != WorkerId{}) {
-        return best;
-    }
+    };
+    // Each worker begins at another place, so that together they use all sources.
+    const BlockIndex::Slot begin = index_.at(worker).slot;
+    look(begin, SlotSet::none);
+    look(0, begin);
+    return best;
+}
+
+WorkerId BlockDirector::given_source(const BlockIndex::Block& block,
+                                     WorkerId worker,
+                                     const RootsBySource& given) const {
+    WorkerId best;
     std::pair<std::size_t, std::size_t> best_load;
     for (const auto& [source, roots] : given) {
-        const std::pair load{roots.size(), index_.at(source).uploads};
-        if (may_give(source) && (best == WorkerId{} || load < best_load)) {
+        const BlockIndex::Peer& peer = index_.at(source);
+        const std::pair load{roots.size(), peer.uploads};
+        if (block.holders.contains(peer.slot) && BlockIndex::can_serve(peer, worker) &&
+            (best == WorkerId{} || load < best_load)) {
             best = source;
             best_load = load;
         }
@@ -236,7 +267,7 @@ BlockDirector::first_source(const BlockIndex::Block& block,
 
 void BlockDirector::want(WorkerId worker,
                          const BlockKey& block,
-                         std::map<WorkerId, std::vector<RootIndex>>& given,
+                         RootsBySource& given,
                          Event& event) {
     const BlockIndex::Peer& peer = index_.at(worker);
     if (peer.waits_for.contains(block)) {
@@ -264,7 +295,7 @@ void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Eve
     forget_delivery(worker, block, event);
     index_.send(worker, block, 0);
     if (mutated(Mutation::HeldWhenSent)) {
-        index_.add_hold(worker, block);
+        index_.add_hold(worker, block, event.now);
     }
     event.actions.emplace_back(SendBlock{worker, block});
 }
@@ -283,19 +314,19 @@ void BlockDirector::fetch(
         forget_delivery(worker, block, event);
         index_.send(worker, block, id);
     }
-    std::vector<WorkerId> sources{source};
-    std::size_t looked_at = 0;
-    for (const WorkerId other : index_.blocks().at({tree, roots.front()}).holders) {
-        if (sources.size() == limits::peer_sources_max ||
-            ++looked_at > limits::sources_looked_at_max) {
-            break;
+    SlotSet have_all = index_.blocks().at({tree, roots.front()}).holders;
+    if (!mutated(Mutation::OthersSourceNamed)) {
+        for (const RootIndex root : roots) {
+            have_all.intersect(index_.blocks().at({tree, root}).holders);
         }
-        const bool has_all =
-            mutated(Mutation::OthersSourceNamed) || std::ranges::all_of(roots, [&](RootIndex root) {
-                return index_.blocks().at({tree, root}).holders.contains(other);
-            });
-        if (other != source && has_all && index_.can_serve(other, worker)) {
-            sources.push_back(other);
+    }
+    std::vector<WorkerId> sources{source};
+    for (auto slot = have_all.next(0);
+         slot != SlotSet::none && sources.size() < limits::peer_sources_max;
+         slot = have_all.next(slot + 1)) {
+        const BlockIndex::Peer& other = *index_.peers()[slot];
+        if (other.id != source && BlockIndex::can_serve(other, worker)) {
+            sources.push_back(other.id);
         }
     }
     begun.named = sources;
@@ -358,7 +389,8 @@ BlockActions BlockDirector::settle(Event event) {
 }
 
 void BlockDirector::offer(WorkerId source, Event& event) {
-    while (index_.free().contains(source)) {
+    const BlockIndex::Slot slot = index_.at(source).slot;
+    while (index_.free().contains(slot)) {
         const WorkerId worker = index_.next_for(source);
         if (worker == WorkerId{}) {
             return;
@@ -370,7 +402,7 @@ void BlockDirector::offer(WorkerId source, Event& event) {
             }
         }
         for (auto& [tree, of_tree] : roots) {
-            if (!index_.free().contains(source)) {
+            if (!index_.free().contains(slot)) {
                 return;
             }
             fetch(worker, tree, std::move(of_tree), source, event);
@@ -405,14 +437,17 @@ void BlockDirector::check_invariants() const {
         ++uploads[fetch.source];
         CD_CHECK(fetch.left != 0);
     }
-    for (const auto& [worker, peer] : index_.peers()) {
-        CD_CHECK(peer.uploads == uploads[worker]);
-        for (const auto& [block, id] : peer.comes) {
+    for (const auto& peer : index_.peers()) {
+        if (peer == nullptr) {
+            continue;
+        }
+        CD_CHECK(peer->uploads == uploads[peer->id]);
+        for (const auto& [block, id] : peer->comes) {
             left[id] += 1;
         }
-        for (const auto& [block, since] : peer.waits_for) {
+        for (const auto& [block, since] : peer->waits_for) {
             // No worker waits for a block that no peer can give.
-            CD_CHECK(index_.is_worth_waiting(index_.blocks().at(block), worker));
+            CD_CHECK(index_.is_worth_waiting(index_.blocks().at(block), peer->id));
         }
     }
     for (const auto& [id, fetch] : fetches_) {

@@ -5,8 +5,10 @@
 
 #include "common/core/id.hpp"
 #include "common/tree/cut.hpp"
+#include "master/blocks/slot_set.hpp"
 #include "proto/messages/work_messages.hpp"
 
+#include <boost/container/flat_map.hpp>
 #include <boost/container/flat_set.hpp>
 
 #include <chrono>
@@ -14,8 +16,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <unordered_map>
+#include <vector>
 
 namespace cd {
 
@@ -33,13 +38,13 @@ class BlockIndex {
   public:
     using Time = std::chrono::steady_clock::time_point;
     using FetchId = std::uint64_t; ///< 0: the master sends the block.
-    /// Sorted in an array: an event of a large cluster looks many workers up, which in a tree of
-    /// nodes takes several times as long.
-    using Workers = boost::container::flat_set<WorkerId>;
+    using Slot = SlotSet::Slot;    ///< A worker's place, which a later worker may get.
     using Blocks = boost::container::flat_set<BlockKey>;
     using PlaceInLine = std::uint64_t; ///< A waiting worker's position in the queue.
 
     struct Peer {
+        WorkerId id;
+        Slot slot = 0;
         bool serves = false;                ///< Peers can fetch blocks from this worker.
         bool is_avoided = false;            ///< This worker must not be named as a source any more.
         std::set<WorkerId> cannot_reach_it; ///< Workers that could not connect to this one.
@@ -50,9 +55,10 @@ class BlockIndex {
         std::map<BlockKey, FetchId> comes;  ///< Blocks under way to this worker.
     };
     struct Block {
-        Workers holders;                            ///< Only workers that serve peers.
-        Workers on_the_way_to;                      ///< Workers that are being sent the block.
+        SlotSet holders;                            ///< Only workers that serve peers.
+        SlotSet on_the_way_to;                      ///< Workers that are being sent the block.
         std::map<PlaceInLine, WorkerId> awaited_by; ///< Workers that wait for the block.
+        Time last_spread = {}; ///< When a worker last reported to hold the block.
     };
 
     // ---- Workers ------------------------------------------------------------------------------
@@ -60,16 +66,18 @@ class BlockIndex {
     void join(WorkerId worker, bool serves);
     /// Removes a worker. It must not hold, wait for, or be sent any block.
     void leave(WorkerId worker);
-    [[nodiscard]] const std::map<WorkerId, Peer>& peers() const { return peers_; }
-    [[nodiscard]] const Peer& at(WorkerId worker) const { return peers_.at(worker); }
+    /// All workers, by their slots; null at a free slot.
+    [[nodiscard]] const std::vector<std::unique_ptr<Peer>>& peers() const { return peers_; }
+    [[nodiscard]] const Peer& at(WorkerId worker) const { return *peers_[slots_.at(worker)]; }
     /// Null if the worker has not joined.
     [[nodiscard]] const Peer* find(WorkerId worker) const;
     /// True if the worker may fetch from the source. False for a source that has not joined.
     [[nodiscard]] bool can_serve(WorkerId source, WorkerId worker) const;
+    [[nodiscard]] static bool can_serve(const Peer& source, WorkerId worker);
     /// True if some peer that holds the block, or soon will, can give it to the worker later.
     [[nodiscard]] bool is_worth_waiting(const Block& block, WorkerId worker) const;
     /// Sources with a free upload slot.
-    [[nodiscard]] const Workers& free() const { return free_; }
+    [[nodiscard]] const SlotSet& free() const { return free_; }
     void add_upload(WorkerId source);
     void remove_upload(WorkerId source);
     /// Records that worker `by` cannot reach the source. Avoids a source once
@@ -86,7 +94,7 @@ class BlockIndex {
     void forget_if_unused(const BlockKey& block);
 
     /// Records that the worker holds the block. Does nothing if the worker serves no peers.
-    void add_hold(WorkerId worker, const BlockKey& block);
+    void add_hold(WorkerId worker, const BlockKey& block, Time now);
     /// Undoes `add_hold`. False if the worker did not hold the block, or has not joined.
     bool lose_hold(WorkerId worker, const BlockKey& block);
     /// Starts the worker's wait for a block that `blocks` has and that it does not await yet.
@@ -100,6 +108,9 @@ class BlockIndex {
 
     /// Workers that wait for blocks, in the order in which they began to wait.
     [[nodiscard]] const std::map<PlaceInLine, WorkerId>& line() const { return line_; }
+    /// Blocks that some worker waits for.
+    using Awaited = boost::container::flat_map<BlockKey, const Block*>;
+    [[nodiscard]] const Awaited& awaited() const { return awaited_; }
     /// The first waiting worker that may get a block from the source; 0: none.
     [[nodiscard]] WorkerId next_for(WorkerId source) const;
 
@@ -107,17 +118,22 @@ class BlockIndex {
     void check_invariants() const;
 
   private:
+    [[nodiscard]] Peer& peer(WorkerId worker) { return *peers_[slots_.at(worker)]; }
+    /// True if some worker of the set can serve this one.
+    [[nodiscard]] bool has_source(const SlotSet& sources, WorkerId worker) const;
     [[nodiscard]] static bool has_place(const Peer& peer);
     /// Updates `free_` after a change of the source.
-    void note_places(WorkerId source);
+    void note_places(const Peer& source);
 
-    std::map<WorkerId, Peer> peers_;
+    std::unordered_map<WorkerId, Slot> slots_;
+    std::vector<std::unique_ptr<Peer>> peers_; ///< By slot.
+    std::vector<Slot> slots_left_;             ///< Slots of workers that left.
     std::map<BlockKey, Block> blocks_;
     PlaceInLine place_last_ = 0;
     std::size_t servers_ = 0; ///< Number of workers that serve peers.
     std::map<PlaceInLine, WorkerId> line_;
-    Blocks awaited_; ///< Blocks that some worker waits for.
-    Workers free_;
+    Awaited awaited_; ///< Points into `blocks_`.
+    SlotSet free_;
 };
 
 } // namespace cd

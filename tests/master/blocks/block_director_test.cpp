@@ -3,6 +3,7 @@
 // exceeds its serving limit; and that failing sources are avoided.
 #include "master/blocks/block_director.hpp"
 
+#include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
 
 #include <gtest/gtest.h>
@@ -200,6 +201,39 @@ TEST_F(BlockDirectorTest, NoWorkerWaitsForEver) {
     now += timing::peer_fetch_max;
     EXPECT_TRUE(from_master(director.time_is(now)));
     EXPECT_EQ(director.open(), 2u);
+}
+
+TEST_F(BlockDirectorTest, AWorkerWaitsOnWhileTheBlockSpreads) {
+    join(6);
+    (void)want(1, {hot});
+    (void)hold(1, {hot});
+    for (std::uint64_t other = 2; other <= 4; ++other) {
+        (void)want(other, {hot}); // Two are served, the third waits.
+    }
+    now += timing::peer_wait_max - 1s;
+    (void)hold(2, {hot}); // Worker 1 serves worker 4 now.
+    EXPECT_TRUE(want(5, {hot}).size() == 1) << "worker 2 serves it";
+    (void)director.evicted(worker(2), tree, std::vector{hot}, now);
+    EXPECT_TRUE(want(6, {hot}).empty());
+    now += timing::peer_wait_max - 1s;
+    EXPECT_FALSE(hold(3, {hot}).empty()) << "worker 6 gets it";
+    EXPECT_TRUE(director.time_is(now).empty());
+    EXPECT_TRUE(want(2, {hot}).size() == 1);
+    EXPECT_EQ(director.open(), 4u);
+}
+
+TEST_F(BlockDirectorTest, FewSourcesGiveTheBlocksOfOneRequest) {
+    join(20);
+    const std::vector<RootIndex> roots{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    for (std::uint64_t source = 1; source <= 19; ++source) {
+        (void)hold(source, roots);
+    }
+    const BlockActions actions = want(20, roots);
+    EXPECT_EQ(actions.size(), limits::sources_of_a_request_max);
+    for (const BlockAction& action : actions) {
+        EXPECT_EQ(std::get<SendToPeers>(action).roots.size(),
+                  roots.size() / limits::sources_of_a_request_max);
+    }
 }
 
 TEST_F(BlockDirectorTest, ARemovedTreeLeavesNothing) {
