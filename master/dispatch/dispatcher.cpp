@@ -10,6 +10,16 @@
 
 namespace cd {
 
+namespace {
+
+/// True if there are several jobs, scenarios wait, and there are more than `before` actions: one
+/// job's turn may have emptied a buffer of another, which has room for waiting scenarios now.
+bool made_room(const WorkQueue& queue, const Actions& actions, std::size_t before) {
+    return actions.size() != before && queue.jobs().size() > 1 && queue.something_waits();
+}
+
+} // namespace
+
 Dispatcher::Dispatcher(const DispatcherOptions& options) : options_(options) {}
 
 Actions Dispatcher::settled(Actions actions) {
@@ -21,7 +31,7 @@ Actions Dispatcher::settled(Actions actions) {
         parts().allocator.settle(actions);
         parts().rebalancer.rebalance(actions);
         parts().filler.give_ranges(actions);
-    } while (made_room(actions, before));
+    } while (made_room(parts().queue, actions, before));
     if (options_.helps_at_end) {
         parts().endgame.help(options_.look_seconds(parts().pool.in_order().size()), actions);
     }
@@ -32,12 +42,12 @@ Actions Dispatcher::refilled(WorkerProxy& proxy, Actions actions) {
     const std::size_t before = actions.size();
     parts().ranges.age_totals();
     parts().filler.fill(proxy, actions);
-    return made_room(actions, before) ? settled(std::move(actions)) : actions;
+    return made_room(parts().queue, actions, before) ? settled(std::move(actions)) : actions;
 }
 
-bool Dispatcher::made_room(const Actions& actions, std::size_t before) {
-    const WorkQueue& queue = parts().queue;
-    return actions.size() != before && queue.jobs().size() > 1 && queue.something_waits();
+Actions Dispatcher::settled_or_refilled(WorkerProxy& proxy, Actions actions) {
+    return is_due() || parts().queue.something_waits() ? settled(std::move(actions))
+                                                       : refilled(proxy, std::move(actions));
 }
 
 void Dispatcher::count_threads() {
@@ -62,9 +72,10 @@ bool Dispatcher::is_due() const {
 Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
     CD_CHECK(facts.threads > 0);
     CD_CHECK(facts.weight > 0);
-    parts().plan.join(parts().pool.add(worker, facts).slot());
+    WorkerProxy& joined = parts().pool.add(worker, facts);
+    parts().plan.join(joined.slot());
     count_threads();
-    return settled({});
+    return settled_or_refilled(joined, {});
 }
 
 Actions Dispatcher::worker_lost(WorkerId worker) {
@@ -162,7 +173,7 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     Actions actions;
     parts().ranges.age_totals();
     parts().allocator.take_up(*job, is_suspect, resumes, actions);
-    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
+    return made_room(parts().queue, actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 Actions Dispatcher::input_paused() {
@@ -179,7 +190,7 @@ Actions Dispatcher::job_input_paused(JobId job_id) {
             parts().filler.fill(*proxy, actions);
         }
     }
-    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
+    return made_room(parts().queue, actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_t after) {
@@ -188,7 +199,7 @@ Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_
     job->unsent.add(std::move(given), after);
     Actions actions;
     parts().filler.give_ranges(actions);
-    return made_room(actions, 0) ? settled(std::move(actions)) : actions;
+    return made_room(parts().queue, actions, 0) ? settled(std::move(actions)) : actions;
 }
 
 std::vector<PositionRange> Dispatcher::take_positions(JobId job_id) {
@@ -246,8 +257,7 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     const TaskInFlight ended = parts().tasks.end(*proxy, task, std::nullopt, actions);
     const bool has_successor = !proxy->tasks.all().empty();
     proxy->batch.judge(ended, has_successor, proxy->facts().threads, parts().pace.now());
-    return is_due() || parts().queue.something_waits() ? settled(std::move(actions))
-                                                       : refilled(*proxy, std::move(actions));
+    return settled_or_refilled(*proxy, std::move(actions));
 }
 
 Actions Dispatcher::task_unbegun(WorkerId worker, TaskId task) {
@@ -265,9 +275,11 @@ Actions Dispatcher::task_recalled(WorkerId worker, TaskId task, const PositionSe
     if (proxy == nullptr) {
         return {};
     }
+    const PendingRecall* recall = parts().tasks.recalls().find(worker);
+    WorkerProxy* helper = recall == nullptr ? nullptr : parts().pool.find(recall->helper);
     Actions actions;
     parts().tasks.take_recalled(*proxy, task, returned, actions);
-    return settled(std::move(actions));
+    return settled_or_refilled(helper == nullptr ? *proxy : *helper, std::move(actions));
 }
 
 // ---- Blocks and measurements --------------------------------------------------------------------

@@ -97,10 +97,9 @@ class Dispatcher : public DispatchView {
     /// Appends the actions that give the worker more work. Suffices instead of `settled` if only
     /// this worker's load has decreased.
     Actions refilled(WorkerProxy& proxy, Actions actions);
-    /// True if there are several jobs, scenarios wait, and there are more than `before` actions:
-    /// one job's turn may have emptied a buffer of another, which has room for waiting scenarios
-    /// now.
-    [[nodiscard]] bool made_room(const Actions& actions, std::size_t before);
+    /// `settled` if a check of all workers is due or scenarios wait for any worker; else
+    /// `refilled`.
+    Actions settled_or_refilled(WorkerProxy& proxy, Actions actions);
     /// Null if the worker does not exist, or has no such task.
     [[nodiscard]] WorkerProxy* worker_with(WorkerId worker, TaskId task);
     /// Tells the order of jobs how many threads there are.

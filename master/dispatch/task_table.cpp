@@ -104,8 +104,13 @@ TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, 
         }
         rest.remove(found);
     }
-    if (!rest.is_empty()) {
-        answer_elsewhere(job, answers.worker, rest, relieved);
+    if (rest.is_empty()) {
+        return relieved;
+    }
+    const PositionSet unanalysed = answer_elsewhere(job, answers.worker, rest, relieved);
+    // Positions that were answered before are in no range.
+    if (!answers.are_repeated && !unanalysed.is_empty()) {
+        answer_in_ranges(job, answers.worker, unanalysed, relieved);
     }
     return relieved;
 }
@@ -143,10 +148,10 @@ PositionSet TaskTable::answer_in(DispatchJob& job,
     return found;
 }
 
-void TaskTable::answer_elsewhere(DispatchJob& job,
-                                 WorkerId by,
-                                 const PositionSet& positions,
-                                 Relieved& relieved) {
+PositionSet TaskTable::answer_elsewhere(DispatchJob& job,
+                                        WorkerId by,
+                                        const PositionSet& positions,
+                                        Relieved& relieved) {
     PositionSet unanalysed;
     for (const std::uint64_t position : positions.list()) {
         const auto found = job.scenarios.find(position);
@@ -170,14 +175,20 @@ void TaskTable::answer_elsewhere(DispatchJob& job,
         }
         job.scenarios.erase(found);
     }
-    if (unanalysed.is_empty()) {
-        return;
+    if (!unanalysed.is_empty()) {
+        relieved.any_unsent = job.unsent.remove(unanalysed) || relieved.any_unsent;
     }
-    relieved.any_unsent = job.unsent.remove(unanalysed) || relieved.any_unsent;
+    return unanalysed;
+}
+
+void TaskTable::answer_in_ranges(DispatchJob& job,
+                                 WorkerId by,
+                                 const PositionSet& positions,
+                                 Relieved& relieved) {
     for (const WorkerProxy* proxy : pool_.in_order()) {
         for (const auto& [id, task] : proxy->tasks.all()) {
             if (!task.is_analysed) {
-                answer_in(job, {proxy->id(), id}, by, unanalysed, relieved);
+                answer_in(job, {proxy->id(), id}, by, positions, relieved);
             }
         }
     }
@@ -210,7 +221,10 @@ void TaskTable::take_from(WorkerProxy& proxy,
 TaskInFlight TaskTable::end(WorkerProxy& proxy, TaskId task, LostWith lost_with, Actions& actions) {
     TaskInFlight ended = proxy.tasks.end(task);
     queue_.order().left(ended.job, ended.cost_ns);
-    std::erase_if(recalls_, [&](const auto& asked) { return asked.second.task == task; });
+    if (const PendingRecall* asked = recalls_.find(proxy.id());
+        asked != nullptr && asked->task == task) {
+        recalls_.remove(proxy.id());
+    }
     if (DispatchJob* job = queue_.find(ended.job)) {
         requeue(*job, ended, unshared(*job, ended, ended.positions), lost_with, actions);
     }
@@ -326,7 +340,7 @@ std::uint64_t TaskTable::owed(const Assignment& task) const {
 // ---- Recalls ------------------------------------------------------------------------------------
 
 void TaskTable::ask_back(AskBack ask, WorkerId helper, Actions& actions) {
-    recalls_[ask.worker] = {ask.task, ask.positions.count(), helper, pace_.now()};
+    recalls_.add(ask.worker, {ask.task, ask.positions.count(), helper, pace_.now()});
     actions.push_back(std::move(ask));
 }
 
@@ -352,12 +366,12 @@ void TaskTable::take_recalled(WorkerProxy& proxy,
         }
         actions.push_back(UnitsReturned{job->id, back.count()});
     }
-    const auto asked = recalls_.find(proxy.id());
-    if (asked != recalls_.end() && asked->second.task == id) {
-        if (back.count() < asked->second.asked) {
+    const PendingRecall* asked = recalls_.find(proxy.id());
+    if (asked != nullptr && asked->task == id) {
+        if (back.count() < asked->asked) {
             proxy.tasks.set_begun(id);
         }
-        recalls_.erase(asked);
+        recalls_.remove(proxy.id());
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/dispatch_actions.hpp"
+#include "master/dispatch/endgame/open_recalls.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
 #include "master/dispatch/workers/worker_pool.hpp"
@@ -13,14 +14,6 @@
 #include <vector>
 
 namespace cd {
-
-/// A recall that the worker has not answered.
-struct PendingRecall {
-    TaskId task;
-    std::uint64_t asked = 0; ///< Number of recalled positions.
-    WorkerId helper;         ///< Worker that is to get the returned work.
-    double since = 0;        ///< Time of the recall, s.
-};
 
 /// Numbers the tasks, and keeps each in its worker's `WorkerTasks`. Positions that leave all their
 /// tasks unanswered return to the queue.
@@ -75,9 +68,9 @@ class TaskTable {
     /// Recalls positions from a straggler for the helper. The straggler must have no open recall.
     void ask_back(AskBack ask, WorkerId helper, Actions& actions);
     /// The unanswered recalls, at most one per worker.
-    [[nodiscard]] const std::map<WorkerId, PendingRecall>& recalls() const { return recalls_; }
+    [[nodiscard]] const OpenRecalls& recalls() const { return recalls_; }
     /// Forgets the worker's open recall, if there is one.
-    void forget_recall(WorkerId worker) { recalls_.erase(worker); }
+    void forget_recall(WorkerId worker) { recalls_.remove(worker); }
     /// Queues the positions again that the worker has returned of one of its tasks.
     void
     take_recalled(WorkerProxy& proxy, TaskId task, const PositionSet& returned, Actions& actions);
@@ -100,9 +93,15 @@ class TaskTable {
                    TaskId task,
                    const DispatchJob& job,
                    const PositionSet& positions);
-    /// Removes answered positions that are unsent, or in a task that the worker did not name. Does
-    /// not cancel them at other workers: a second answer exposes a wrong worker.
-    void answer_elsewhere(DispatchJob& job,
+    /// Removes answered positions that are unsent, or in an analysed task that the worker did not
+    /// name. Does not cancel them at other workers: a second answer exposes a wrong worker. Returns
+    /// the positions that were not analysed.
+    PositionSet answer_elsewhere(DispatchJob& job,
+                                 WorkerId by,
+                                 const PositionSet& positions,
+                                 Relieved& relieved);
+    /// Removes answered positions from all ranges that have them, also without cancelling them.
+    void answer_in_ranges(DispatchJob& job,
                           WorkerId by,
                           const PositionSet& positions,
                           Relieved& relieved);
@@ -128,7 +127,7 @@ class TaskTable {
     BlockPlan& plan_;
     WorkQueue& queue_;
     ClusterPace& pace_;
-    std::map<WorkerId, PendingRecall> recalls_;
+    OpenRecalls recalls_;
     std::uint64_t last_ = 0;
 };
 

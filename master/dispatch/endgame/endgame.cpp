@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <ranges>
+#include <span>
 #include <utility>
 
 namespace cd {
 
 bool Endgame::has_begun() const {
-    return context_.queue.is_exhausted() && !stragglers_.helpers().empty() &&
-           std::ranges::any_of(context_.pool.in_order(),
-                               [](const WorkerProxy* proxy) { return proxy->tasks.left() != 0; });
+    const std::span<WorkerProxy* const> all = context_.pool.in_order();
+    return context_.queue.is_exhausted() &&
+           std::ranges::any_of(
+               all, [this](const WorkerProxy* one) { return stragglers_.can_help(*one); }) &&
+           std::ranges::any_of(all, [](const WorkerProxy* one) { return one->tasks.left() != 0; });
 }
 
 void Endgame::help(double period, Actions& actions) {

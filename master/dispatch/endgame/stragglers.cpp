@@ -10,16 +10,14 @@
 
 namespace cd {
 
-bool Stragglers::is_pending(const PendingRecall& recall) const {
-    return context_.pace.now() - recall.since < timing::recall_answer_seconds;
+double Stragglers::unanswered_before() const {
+    return context_.pace.now() - timing::recall_answer_seconds;
 }
 
 bool Stragglers::can_help(const WorkerProxy& proxy) const {
-    const bool is_expecting = std::ranges::any_of(tasks_.recalls(), [&](const auto& recall) {
-        return recall.second.helper == proxy.id() && is_pending(recall.second);
-    });
-    return proxy.takes_work() && !proxy.is_claimed() && !is_expecting &&
-           proxy.tasks.left() < proxy.facts().threads;
+    return proxy.takes_work() && !proxy.is_claimed() &&
+           proxy.tasks.left() < proxy.facts().threads &&
+           !tasks_.recalls().is_awaited_by(proxy.id(), unanswered_before());
 }
 
 std::vector<WorkerProxy*> Stragglers::helpers() const {
@@ -93,12 +91,12 @@ std::vector<WorkerProxy*> Stragglers::late() const {
 }
 
 bool Stragglers::may_be_asked(const WorkerProxy& from) const {
-    return !tasks_.recalls().contains(from.id()) && from.takes_work();
+    return tasks_.recalls().find(from.id()) == nullptr && from.takes_work();
 }
 
 bool Stragglers::may_answer_recall(const WorkerProxy& from) const {
-    const auto asked = tasks_.recalls().find(from.id());
-    return asked != tasks_.recalls().end() && from.takes_work() && is_pending(asked->second);
+    const PendingRecall* asked = tasks_.recalls().find(from.id());
+    return asked != nullptr && from.takes_work() && asked->since > unanswered_before();
 }
 
 bool Stragglers::may_be_helped(const WorkerProxy& from) const {

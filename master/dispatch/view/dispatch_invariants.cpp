@@ -127,7 +127,7 @@ void check_order(const DispatchParts& parts) {
 }
 
 void check_recalls(const DispatchParts& parts) {
-    for (const auto& [worker, recall] : parts.tasks.recalls()) {
+    for (const auto& [worker, recall] : parts.tasks.recalls().all()) {
         const WorkerProxy* proxy = parts.pool.find(worker);
         CD_CHECK(proxy != nullptr);
         CD_CHECK(proxy->tasks.find(recall.task) != nullptr);

@@ -146,13 +146,13 @@ TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
     send(one_, job_, 3);
     const TaskId task = last<SendUnit>().task;
     tasks.ask_back({one_.id(), task, PositionRange{1, 2}}, two_.id(), actions);
-    EXPECT_EQ(tasks.recalls().at(one_.id()).helper, two_.id());
+    EXPECT_EQ(tasks.recalls().all().at(one_.id()).helper, two_.id());
     tasks.take_recalled(one_, task, PositionSet::of({2, 99}), actions);
     EXPECT_EQ(last<UnitsReturned>(), (UnitsReturned{job_.id, 1}));
     EXPECT_EQ(job_.waiting, std::deque<std::uint64_t>{2});
     EXPECT_EQ(job_.at(2).recalls, 1u);
     EXPECT_TRUE(one_.tasks.at(task).has_begun);
-    EXPECT_TRUE(tasks.recalls().empty());
+    EXPECT_TRUE(tasks.recalls().all().empty());
 }
 
 TEST_F(TaskTables, UnansweredPositionsOfARangeGoOutAgainUnlessTheyAreLost) {

@@ -33,7 +33,7 @@ TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
     const TaskId task = give(4);
     endgame.help(0, actions);
     EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, PositionRange{2, 2}}));
-    EXPECT_EQ(tasks.recalls().at(one_.id()).asked, 2u);
+    EXPECT_EQ(tasks.recalls().all().at(one_.id()).asked, 2u);
 }
 
 TEST_F(Endgames, StragglersAreSearchedOnceInAPeriod) {
@@ -41,9 +41,9 @@ TEST_F(Endgames, StragglersAreSearchedOnceInAPeriod) {
     give(4);
     pace.time_is(0.2);
     endgame.help(1, actions);
-    EXPECT_TRUE(tasks.recalls().empty());
+    EXPECT_TRUE(tasks.recalls().all().empty());
     endgame.help(0.1, actions);
-    EXPECT_FALSE(tasks.recalls().empty());
+    EXPECT_FALSE(tasks.recalls().all().empty());
 }
 
 TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
@@ -61,7 +61,7 @@ TEST_F(Endgames, CopiesWhatCannotBeAskedBack) {
     pace.time_is(3); // Overdue by two seconds.
     endgame.help(0, actions);
     EXPECT_EQ(last<SendUnit>().copy_of, task);
-    EXPECT_TRUE(tasks.recalls().empty());
+    EXPECT_TRUE(tasks.recalls().all().empty());
 }
 
 TEST_F(Endgames, CopiesNothingWhileARecallMayBeAnswered) {
