@@ -1,7 +1,7 @@
-"""Jobs in ranges on a thousand simulated hosts, as a page."""
+"""Jobs in ranges on thousands of simulated hosts, as a page."""
 from tables import fixed, number, show, table
 
-TITLE = "Jobs in ranges on a thousand hosts"
+TITLE = "Jobs in ranges on 1,000 and 10,000 hosts"
 FILES = ("ranges",)
 PAGE = "RESULTS.md"
 
