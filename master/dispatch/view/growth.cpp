@@ -13,10 +13,12 @@ namespace cd {
 
 namespace {
 
-/// Each doubling of the workers delays the blocks by this part of a fetch. Blocks spread from who
-/// has them to who has not, and many are under way at once. From simulated clusters
+/// New workers begin when the first blocks have come, not the last: after this part of a fetch.
+/// Each doubling of the workers delays the blocks by another part, since they spread from who has
+/// them to who has not, and many are under way at once. From simulated clusters
 /// (tests/bench/cluster/model/growth_test.cpp).
-constexpr double fetch_part_of_doubling = 0.1;
+constexpr double fetch_part_before_work = 0.25;
+constexpr double fetch_part_of_doubling = 0.25;
 
 /// Speed of the worker's threads together, in units that all workers share: at ranges if the first
 /// job sends these, else at analysed work.
@@ -79,7 +81,8 @@ double seconds_left(const WorkersNow& workers, const WorkLeft& work, std::uint32
     const double new_threads = more * workers.threads_more;
     const double alone = work.worker_seconds / std::min(workers.threads, threads_max);
     const double doublings = std::log2(1 + more / workers.workers);
-    const double fetch = workers.fetch_seconds * (1 + fetch_part_of_doubling * doublings);
+    const double fetch =
+        workers.fetch_seconds * (fetch_part_before_work + fetch_part_of_doubling * doublings);
     const double together = (work.worker_seconds + new_threads * fetch) /
                             std::min(workers.threads + new_threads, threads_max);
     const double of_workers = more == 0 || together < fetch ? alone : std::min(alone, together);

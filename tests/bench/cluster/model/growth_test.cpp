@@ -83,12 +83,12 @@ TEST_P(GrowthOf, ACluster) {
 INSTANTIATE_TEST_SUITE_P(
     Simulated,
     GrowthOf,
-    testing::Values(GrowthCase{"small", 4, 4000, "earliest-finish", 0, 125e6, 0.1},
-                    GrowthCase{"middle", 16, 16'000, "earliest-finish", 0, 125e6, 0.1},
-                    GrowthCase{"large", 64, 32'000, "earliest-finish", 0, 125e6, 0.1},
-                    GrowthCase{"busy master", 16, 16'000, "earliest-finish", 1e-4, 125e6, 0.1},
+    testing::Values(GrowthCase{"small", 4, 4000, "earliest-finish", 0, 125e6, 0.08},
+                    GrowthCase{"middle", 16, 16'000, "earliest-finish", 0, 125e6, 0.08},
+                    GrowthCase{"large", 64, 32'000, "earliest-finish", 0, 125e6, 0.08},
+                    GrowthCase{"busy master", 16, 16'000, "earliest-finish", 1e-4, 125e6, 0.08},
                     GrowthCase{"slow network", 16, 16'000, "earliest-finish", 0, 5e6, 0.2},
-                    GrowthCase{"best match", 16, 16'000, "best-match", 0, 125e6, 0.1}),
+                    GrowthCase{"best match", 16, 16'000, "best-match", 0, 125e6, 0.08}),
     [](const auto& given) {
         std::string name = given.param.name;
         std::replace(name.begin(), name.end(), ' ', '_');

@@ -47,8 +47,8 @@ TEST(MoreWorkers, AMasterThatIsBusyMakesThemUseless) {
 TEST(MoreWorkers, NewOnesFetchTheirGeometryFirst) {
     WorkersNow workers = ten_workers;
     workers.fetch_seconds = 60;
-    EXPECT_NEAR(seconds_left(workers, an_hour, 10), (3600 + 60 * 1.1) / 2, 0.1);
-    EXPECT_NEAR(seconds_left(workers, an_hour, 70), (3600 + 7 * 60 * 1.3) / 8, 0.1);
+    EXPECT_NEAR(seconds_left(workers, an_hour, 10), (3600 + 60 * 0.5) / 2, 0.1);
+    EXPECT_NEAR(seconds_left(workers, an_hour, 70), (3600 + 7 * 60 * 1.0) / 8, 0.1);
     // Who would have the geometry after the end does not help.
     WorkLeft work = an_hour;
     work.worker_seconds = 40 * 30.;
