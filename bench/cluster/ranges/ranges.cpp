@@ -46,13 +46,12 @@ std::vector<Case> cases(bool is_quick) {
         all.push_back({1000, 1e-4, result, 4'000'000});
     }
     // The hosts are.
-    for (const std::uint64_t count : {250'000, 500'000, 1'000'000, 2'000'000, 4'000'000}) {
+    for (const std::uint64_t count :
+         {250'000, 500'000, 1'000'000, 2'000'000, 4'000'000, 8'000'000}) {
         all.push_back({1000, 1e-2, result_now, count});
     }
-    // Ten times as many hosts: 0.1 s a scenario.
-    for (const std::uint64_t count : {4'000'000, 16'000'000}) {
-        all.push_back({10'000, 0.1, result_now, count});
-    }
+    // Ten times as many hosts.
+    all.push_back({10'000, 0.1, result_now, 4'000'000});
     return all;
 }
 
