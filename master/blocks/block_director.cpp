@@ -207,13 +207,13 @@ bool BlockDirector::is_avoided(WorkerId worker) const {
 WorkerId BlockDirector::first_source(const BlockIndex::Block& block,
                                      WorkerId worker,
                                      const RootsBySource& given) const {
-    WorkerId source = given.size() < limits::sources_of_a_request_max
-                          ? new_source(block, worker, given)
-                          : WorkerId{};
-    if (source == WorkerId{}) {
-        source = given_source(block, worker, given);
+    const bool are_few = given.size() < limits::sources_of_a_request_max;
+    const WorkerId source =
+        are_few ? new_source(block, worker, given) : given_source(block, worker, given);
+    if (source != WorkerId{}) {
+        return source;
     }
-    return source == WorkerId{} ? new_source(block, worker, given) : source;
+    return are_few ? given_source(block, worker, given) : new_source(block, worker, given);
 }
 
 WorkerId BlockDirector::new_source(const BlockIndex::Block& block,
@@ -239,7 +239,7 @@ WorkerId BlockDirector::new_source(const BlockIndex::Block& block,
             }
         }
     };
-    // Each worker begins at another place, so that together they use all sources.
+    // Each worker starts the search at its own slot, which spreads workers over the sources.
     const BlockIndex::Slot begin = index_.at(worker).slot;
     look(begin, SlotSet::none);
     look(0, begin);

@@ -44,11 +44,10 @@ using BlockActions = std::vector<BlockAction>;
 /// The master sends a block to one worker. Workers that hold it then pass it on, each to at most
 /// `limits::peer_uploads_max` others at a time: a block that all workers want spreads like a tree
 /// and costs the master a bounded number of uploads. A worker waits for a block that no source can
-/// send now but some worker soon can; once no further worker has got the block for
-/// `timing::peer_wait_max`, the master sends it. A
-/// worker counts as a holder only once it has reported the block. A source that the master or two
-/// workers cannot reach, or that sends a damaged block, is not named again. If peers fail to
-/// deliver a block, so that the worker wants it again, the master sends it.
+/// send now but some worker soon can. The master sends the block if no other worker has received it
+/// for `timing::peer_wait_max`. A worker counts as a holder only once it has reported the block. A
+/// source that the master or two workers cannot reach, or that sends a damaged block, is not named
+/// again. If peers fail to deliver a block, so that the worker wants it again, the master sends it.
 class BlockDirector {
   public:
     using Time = BlockIndex::Time;
@@ -111,22 +110,23 @@ class BlockDirector {
     /// Roots that the current event already takes from each source.
     using RootsBySource = std::map<WorkerId, std::vector<RootIndex>>;
 
-    /// Returns the best source of the block for the worker; 0 if none is found. Few sources give
-    /// all blocks of one request, so that the master names few.
+    /// Returns the best source of the block for the worker; 0 if there is none. Splits one request
+    /// among at most `limits::sources_of_a_request_max` sources, unless these lack some blocks.
     [[nodiscard]] WorkerId
     first_source(const BlockIndex::Block& block, WorkerId worker, const RootsBySource& given) const;
-    /// A source that the event does not use yet, with a free upload slot, the fewest uploads of
-    /// those looked at.
+    /// Returns the source with the fewest uploads among those that have a free upload slot and that
+    /// this event does not use yet; 0 if there is none.
     [[nodiscard]] WorkerId
     new_source(const BlockIndex::Block& block, WorkerId worker, const RootsBySource& given) const;
-    /// A source that the event uses already, with the least to give.
+    /// Returns the source with the fewest blocks to give among those that this event uses already;
+    /// 0 if there is none.
     [[nodiscard]] WorkerId
     given_source(const BlockIndex::Block& block, WorkerId worker, const RootsBySource& given) const;
 
     /// Chooses the source of a wanted block, and adds a peer to `given`, or lets the worker wait.
     void want(WorkerId worker, const BlockKey& block, RootsBySource& given, Event& event);
     void send_from_master(WorkerId worker, const BlockKey& block, Event& event);
-    /// Sends awaited blocks that no further worker has got for `timing::peer_wait_max`.
+    /// Sends the awaited blocks that no worker has received for `timing::peer_wait_max`.
     void send_what_does_not_spread(Event& event);
     void fetch(
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);

@@ -137,7 +137,6 @@ void BlockIndex::wait(WorkerId worker, const BlockKey& block, Time now) {
     Peer& waiter = peer(worker);
     if (waiter.waits_for.empty()) {
         waiter.place = ++place_last_;
-        line_.emplace(waiter.place, worker);
     }
     waiter.waits_for.emplace(block, now);
     Block& awaited = blocks_.at(block);
@@ -154,9 +153,6 @@ void BlockIndex::stop_waiting(WorkerId worker, const BlockKey& block) {
     awaited.awaited_by.erase(waiter.place);
     if (awaited.awaited_by.empty()) {
         awaited_.erase(block);
-    }
-    if (waiter.waits_for.empty()) {
-        line_.erase(waiter.place);
     }
 }
 
@@ -214,8 +210,6 @@ void BlockIndex::check_invariants() const {
         const Peer& peer = *peers_[slot];
         CD_CHECK(peer.id == worker && peer.slot == slot);
         CD_CHECK(peer.uploads <= limits::peer_uploads_max);
-        const auto in_line = line_.find(peer.place);
-        CD_CHECK(peer.waits_for.empty() != (in_line != line_.end() && in_line->second == worker));
         CD_CHECK(free_.contains(slot) == has_place(peer));
         on_the_way += peer.comes.size();
         awaited += peer.waits_for.size();

@@ -106,8 +106,6 @@ class BlockIndex {
     /// Undoes `send`. Returns the block's fetch; empty if the block was not under way.
     std::optional<FetchId> stop_sending(WorkerId worker, const BlockKey& block);
 
-    /// Workers that wait for blocks, in the order in which they began to wait.
-    [[nodiscard]] const std::map<PlaceInLine, WorkerId>& line() const { return line_; }
     /// Blocks that some worker waits for.
     using Awaited = boost::container::flat_map<BlockKey, const Block*>;
     [[nodiscard]] const Awaited& awaited() const { return awaited_; }
@@ -131,8 +129,7 @@ class BlockIndex {
     std::map<BlockKey, Block> blocks_;
     PlaceInLine place_last_ = 0;
     std::size_t servers_ = 0; ///< Number of workers that serve peers.
-    std::map<PlaceInLine, WorkerId> line_;
-    Awaited awaited_; ///< Points into `blocks_`.
+    Awaited awaited_;         ///< Points into `blocks_`.
     SlotSet free_;
 };
 

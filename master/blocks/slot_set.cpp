@@ -11,7 +11,7 @@ constexpr std::uint64_t bit_of(SlotSet::Slot slot) {
     return std::uint64_t{1} << slot % 64;
 }
 
-/// Returns the first set bit from `from` on of the words that `word` returns.
+/// Returns the position of the first set bit at or after `from`. `word(i)` returns word i.
 template <class Word>
 SlotSet::Slot first_bit(std::size_t words, SlotSet::Slot from, const Word& word) {
     std::uint64_t keep = ~std::uint64_t{0} << from % 64;

@@ -1,4 +1,4 @@
-// A set of small numbers, stored as bits.
+// A set of workers' slots, stored as a bit vector.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace cd {
 
-/// A set of slots, which are small numbers. A change takes constant time, a search for the next
-/// slot the time to read the bits between.
+/// Slots are small numbers that are reused. `insert`, `erase` and `contains` take constant time;
+/// `next` and `next_common` scan the bit vector.
 class SlotSet {
   public:
     using Slot = std::uint32_t;
@@ -22,9 +22,9 @@ class SlotSet {
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
 
-    /// Returns the first slot from `from` on; `none` if there is none.
+    /// Returns the least slot that is at least `from`; `none` if there is none.
     [[nodiscard]] Slot next(Slot from) const;
-    /// Returns the first slot from `from` on that both sets have; `none` if there is none.
+    /// Returns the least slot of both sets that is at least `from`; `none` if there is none.
     [[nodiscard]] Slot next_common(const SlotSet& other, Slot from) const;
     /// Removes all slots that the other set does not have.
     void intersect(const SlotSet& other);

@@ -108,7 +108,7 @@ TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, 
         return relieved;
     }
     const PositionSet unanalysed = answer_elsewhere(job, answers.worker, rest, relieved);
-    // Positions that were answered before are in no range.
+    // An answered position has been removed from every range, so a repeated one needs no search.
     if (!answers.are_repeated && !unanalysed.is_empty()) {
         answer_in_ranges(job, answers.worker, unanalysed, relieved);
     }

@@ -100,7 +100,7 @@ class TaskTable {
                                  WorkerId by,
                                  const PositionSet& positions,
                                  Relieved& relieved);
-    /// Removes answered positions from all ranges that have them, also without cancelling them.
+    /// Removes answered positions from the ranges of all workers. Does not cancel them there.
     void answer_in_ranges(DispatchJob& job,
                           WorkerId by,
                           const PositionSet& positions,

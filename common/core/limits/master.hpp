@@ -116,7 +116,7 @@ inline constexpr std::size_t long_scenarios_shown = 16; ///< Long-running scenar
 inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Bytes queued for one worker.
 /// A worker that so many others cannot reach is no longer a source of blocks.
 inline constexpr std::size_t peer_unreachable_by_max = 2;
-/// Number of workers that give the blocks of one request, unless they lack some.
+/// A worker's request is split among at most this many peers, unless these lack some blocks.
 inline constexpr std::size_t sources_of_a_request_max = 4;
 /// Number of workers considered as the source of one block.
 inline constexpr std::size_t sources_looked_at_max = 64;

@@ -54,8 +54,8 @@ inline constexpr double scenario_seconds_shown = 10; ///< Status names scenarios
 // Delivery of blocks.
 /// A worker's fetch of blocks from a peer counts as failed after this time.
 inline constexpr std::chrono::seconds peer_fetch_max{60};
-/// The master sends a block itself if a worker has waited this long for it, and no other worker got
-/// it from a peer in this time.
+/// The master sends a block itself if a worker has waited this long for it, and no other worker
+/// has received it in this time.
 inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.

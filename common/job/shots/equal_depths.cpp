@@ -6,7 +6,7 @@ namespace cd {
 
 namespace {
 
-/// The hits of a line go into the table where a look passes so many.
+/// A list that a search follows for this many hits is moved to the hash table.
 constexpr int listed_most = 32;
 
 } // namespace
@@ -21,8 +21,8 @@ void EqualDepths::restart(std::span<const std::uint32_t> lines,
     table_.clear();
 }
 
-/// Returns a hit of the line with the depth of a new one, if there is one. Moves a long list to the
-/// table, which also takes the new hit then.
+/// Returns a stored hit of the line that has the new hit's depth; else `none`. If the list is long,
+/// moves it to the table together with the new hit.
 std::uint32_t EqualDepths::find(Line& line, std::uint32_t hit) {
     if (line.last == in_table) {
         return add_to_table(hit);

@@ -9,20 +9,21 @@
 
 namespace cd {
 
-/// The hits of each line: a list, or for many hits a part of one hash table. A filter of 64 bits a
-/// line saves most looks into the list. Keeps its memory.
+/// Stores the hits of each line in a linked list, or in a shared hash table if the line has many.
+/// A 64-bit filter of the line's depths avoids most searches of its list. Reuses its memory.
 class EqualDepths {
   public:
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// Starts over with the lines, below `line_count`, and the depths of all hits. These live until
-    /// the last `add`.
+    /// Removes all hits. `lines` (each less than `line_count`) and `depths` describe the hits to be
+    /// added, by index, and must live until the last `add`.
     void restart(std::span<const std::uint32_t> lines,
                  std::span<const double> depths,
                  std::size_t line_count);
 
-    /// Adds a hit, by its index, once; its depth is a number. Returns another one of the line that
-    /// has been added and has the same depth, and forgets the new one; else none.
+    /// Adds a hit by its index. Each hit may be added once; its depth must not be NaN. If a stored
+    /// hit of the line has the same depth, returns that hit and does not store the new one; else
+    /// returns `none`.
     [[nodiscard]] std::uint32_t add(std::uint32_t hit) {
         Line& line = of_lines_[lines_[hit]];
         const std::uint64_t bit = std::uint64_t{1} << hash_of(depths_[hit], 6);
@@ -46,8 +47,9 @@ class EqualDepths {
         std::uint32_t last = none; ///< The hit of its list added last; or `in_table`.
     };
 
-    /// Returns a number of some bits. Fibonacci hashing (Knuth, The Art of Computer Programming,
-    /// volume 3, section 6.4): the high bits of a product depend on all bits of the factor.
+    /// Hashes a depth to a number of `bits` bits. Fibonacci hashing (Knuth, The Art of Computer
+    /// Programming, volume 3, section 6.4): the high bits of a product depend on all bits of the
+    /// factor.
     [[nodiscard]] static std::size_t hash_of(double depth, unsigned bits, std::uint64_t other = 0) {
         constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
         return (std::bit_cast<std::uint64_t>(depth) + other) * golden >> (64 - bits);

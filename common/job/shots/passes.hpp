@@ -39,11 +39,11 @@ struct Passes {
         slots.resize(slots.size() + hits);
         owners.resize(lines.size() + owners_at_once);
     }
-    /// Adds a group of hits, which have been added.
+    /// Adds a group. Its hits must have been added already.
     void add_group(const Group& group, std::uint32_t hits) {
         const auto number = static_cast<std::uint32_t>(groups.size());
         groups.push_back(group);
-        // Most groups are small: writes of a fixed count take no branch for each hit.
+        // Most groups are small. Writing a fixed number of entries avoids a branch for each hit.
         for (std::uint32_t i = 0; i < hits; i += owners_at_once) {
             std::fill_n(&owners[group.begin + i], owners_at_once, number);
         }

@@ -11,8 +11,8 @@ namespace cd {
 
 namespace {
 
-/// Returns whether two triangles of one block have the same three of its vertices. Others may have
-/// the same corners, too.
+/// Returns whether two triangles of one block have the same three vertex indices. If not, their
+/// corners may still be equal.
 bool have_same_vertices(const TriangleBlocks& blocks, std::uint32_t left, std::uint32_t right) {
     static_assert(block_vertices_max <= 64);
     const auto vertices_of = [&](std::uint32_t slot) {
@@ -136,7 +136,7 @@ void SimpleLines::move_open(FoundContacts& found, std::uint64_t& moved) {
     }
 }
 
-/// Lists the hits by triangle, those of one triangle in the order found.
+/// Sorts the hits by triangle. Hits of one triangle keep the order in which they were found.
 void SimpleLines::put_in_order() {
     constexpr std::uint32_t at_once = 4;
     const Passes& p = *passes_;
@@ -152,7 +152,7 @@ void SimpleLines::put_in_order() {
         const std::uint32_t count = p.end_of(order[k]) - group.begin;
         const bool is_back = (group.flags & hit_flag::back) != 0;
         const std::uint32_t packed = group.triangle << 1 | (is_back ? 1u : 0u);
-        // Most groups are small: a fixed count of writes costs less than a branch for each hit.
+        // Most groups are small. Writing a fixed number of entries avoids a branch for each hit.
         for (std::uint32_t from = 0; from < count; from += at_once) {
             for (std::uint32_t i = 0; i < at_once; ++i) {
                 to[from + i] = {group.begin + from + i, packed};
@@ -163,8 +163,8 @@ void SimpleLines::put_in_order() {
     in_order_.resize(p.count());
 }
 
-/// Returns the hits that stay. Those of a triangle mostly come in the order of their lines, so that
-/// sorting by triangles is enough.
+/// Returns the settled hits, sorted by triangle, then by line. Hits of one triangle are usually
+/// found in the order of their lines, so sorting by triangle usually suffices.
 SettledHits SimpleLines::sorted(bool only_first) {
     put_in_order();
     if (!open_.empty() || only_first) {
@@ -195,7 +195,7 @@ SettledHits SimpleLines::sorted(bool only_first) {
     return settled;
 }
 
-/// Removes hits that do not stay from the list.
+/// Removes the hits of lines that are not simple and, if only first hits are asked for, all others.
 void SimpleLines::keep_settled(bool only_first) {
     std::erase_if(in_order_, [&](const Placed& each) {
         const Line& line = lines_[passes_->lines[each.hit]];
@@ -203,7 +203,7 @@ void SimpleLines::keep_settled(bool only_first) {
     });
 }
 
-/// Sorts the hits of one triangle, that of a given hit, by their lines. Returns their end.
+/// Sorts all hits of the triangle of hit `of` by line. Returns the index after the last of them.
 std::size_t SimpleLines::sort_triangle(SettledHits& settled, std::size_t of) {
     const auto pairs = std::ranges::equal_range(
         settled.pairs, settled.pairs[of].a, {}, [](const ContactPair& pair) { return pair.a; });

@@ -43,7 +43,7 @@ class SimpleLines {
         std::size_t earlier = 0;
     };
 
-    /// A hit, with its triangle, and whether that is met from its back.
+    /// A hit with its triangle and the side of the triangle that the line enters.
     struct Placed {
         std::uint32_t hit = 0;     ///< Its index.
         std::uint32_t of_side = 0; ///< 2 * the triangle, + 1 if the hit is on its back.
@@ -74,7 +74,8 @@ class SimpleLines {
     StableOrder order_;
     std::vector<std::uint32_t> triangles_; ///< By group.
     std::vector<Placed> in_order_;         ///< By triangle.
-    std::vector<std::size_t> disordered_;  ///< Settled hits that are less than those before them.
+    std::vector<std::size_t>
+        disordered_; ///< Settled hits that precede, in order, the hit before them.
     std::vector<std::pair<std::uint32_t, PairHit>> by_line_; ///< Hits of one triangle.
     std::vector<Candidate> moving_;
 };

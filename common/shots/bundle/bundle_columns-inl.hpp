@@ -1,6 +1,6 @@
-// Vectors of numbers that lie apart in memory, loaded without SIMD gathers, which are slow on some
-// processors, and without a copy, which the processor could not forward to a load of a whole
-// vector. Compiled for every target.
+// Loads SIMD vectors from scattered addresses by plain loads and shuffles. SIMD gathers are slow on
+// some processors. A copy into a buffer is slow as well: a vector load cannot be forwarded from
+// several smaller stores. Compiled for every target.
 
 // Highway's include guard: once per target.
 #if defined(CD_BUNDLE_COLUMNS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -36,12 +36,12 @@ HWY_INLINE hn::Vec<D4> load_row(D4 d, const float* row) {
     return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D4>(), row));
 }
 
-/// The numbers of some rows, one row a lane.
+/// Four vectors that hold one row of four numbers in each lane (a transposition).
 template <class D>
 struct Columns {
     hn::Vec<D> at[4];
 
-    /// Loads a row for each lane; `row_of` returns where the four floats or doubles of a lane are.
+    /// `row_of(lane)` returns a pointer to the lane's four floats or doubles.
     template <class RowOf>
     HWY_INLINE Columns(D d, const RowOf& row_of) {
 #if HWY_TARGET == HWY_SCALAR
@@ -89,7 +89,7 @@ struct Columns {
     }
 };
 
-/// Loads numbers of a list, one for each lane.
+/// Returns the vector of `list[numbers[lane]]`.
 template <class D>
 HWY_INLINE hn::Vec<D> load_each(D d, const double* list, const std::uint32_t* numbers) {
 #if HWY_TARGET == HWY_SCALAR

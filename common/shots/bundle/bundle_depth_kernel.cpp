@@ -51,13 +51,13 @@ struct Corner {
     HWY_INLINE Corner() {}
 };
 
-/// Loads the corners with a given number of a vector of triangles.
+/// Loads corner number `corner` of each triangle of a vector of triangles.
 template <class T>
 HWY_INLINE Corner load(const TriangleBlocks& a,
                        const T* coordinates,
                        std::size_t corner,
                        const std::uint32_t* slots) {
-    // The fourth number of a row belongs to the next vertex, or is a spare one.
+    // Loads four numbers for each vertex. The fourth, of the next vertex or a spare one, is unused.
     const bundle::Columns columns(Doubles(), [&](std::size_t i) {
         const std::size_t vertex =
             a.vertex_begin[slots[i] / block_size] + a.corners[slots[i]][corner];

@@ -43,9 +43,8 @@ struct DepthsOfMany {
     alignas(64) OfLines<double> depths; ///< NaN where it is unproven.
 };
 
-/// Computes the depths of lines. The spare slots and lines must be some that are there. Multiplies
-/// bounds of errors by `bound_scale`. Returns whether all depths are proven; may return false where
-/// they are.
+/// Computes the depths of lines. Spare slots and lines must be valid indices. Multiplies error
+/// bounds by `bound_scale`. If it returns true, all depths are proven; the converse does not hold.
 [[nodiscard]] bool find_depths(const BundleInA& bundle,
                                double bound_scale,
                                const TriangleBlocks& blocks,

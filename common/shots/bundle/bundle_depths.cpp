@@ -188,8 +188,8 @@ void BundleDepths::find(const TriangleBlocks& a,
     }
 }
 
-/// Takes as many further triangles and lines as there is room for. A triangle all of whose lines
-/// have no room is taken again for the others.
+/// Adds further triangles and lines to the batch while it has room. A triangle whose lines do not
+/// all fit is added again to the next batch.
 void BundleDepths::take(std::span<const PassedTriangle> triangles,
                         std::span<const std::uint32_t> lines,
                         Taken& taken) {
@@ -205,7 +205,7 @@ void BundleDepths::take(std::span<const PassedTriangle> triangles,
         const std::size_t end = std::min(its_end, most);
         many.slots[many.count] = triangles[taken.triangles].slot;
         many.begins[many.count] = taken.lines - first;
-        // Most triangles have few lines: writes of a fixed count take no branch for each.
+        // Most triangles have few lines. Writing a fixed number of them avoids a branch for each.
         for (std::size_t i = taken.lines; i < end; i += at_once) {
             std::fill_n(
                 &many.triangles[i - first], at_once, static_cast<std::uint32_t>(many.count));

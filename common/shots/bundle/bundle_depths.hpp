@@ -28,11 +28,13 @@ class BundleDepths {
     /// less to show that the bounds are needed.
     explicit BundleDepths(double bound_scale = 1);
 
-    /// Selects poses that suit, and the bundle, which outlives all calls of `find`.
+    /// Sets the poses, for which `suits` must hold, and the bundle, which must outlive all calls of
+    /// `find`.
     void restart(const PosePair& poses, const ParallelLines& lines);
 
-    /// Appends the depths of lines, given by their places in `LineRows`, to `depths`: NaN where the
-    /// bounds prove none. The triangles, of A, say which lines pass through each.
+    /// Appends the depth of each of `lines`, which are indices into `LineRows`, to `depths`. A
+    /// depth is NaN if the error bounds do not prove its rounding. `triangles` of A tell which of
+    /// the lines pass through each.
     void find(const TriangleBlocks& a,
               std::span<const PassedTriangle> triangles,
               std::span<const std::uint32_t> lines,
@@ -49,7 +51,7 @@ class BundleDepths {
     [[nodiscard]] static std::optional<AlignedAxis> aligned_axis(const PosePair& poses,
                                                                  const ParallelLines& lines);
     [[nodiscard]] std::optional<double> aligned_depth(const Corners& corners) const;
-    /// Counts what is done.
+    /// Progress of `find`.
     struct Taken {
         std::size_t triangles = 0; ///< All lines of these.
         std::size_t lines = 0;

@@ -111,7 +111,8 @@ class Spans {
 /// The pairs of triangles that have few lines, by triangle.
 struct Pairs {
     static constexpr std::size_t most = block_size * few;
-    /// Writes of `few` lines may pass `count`; the rest of its vector has some triangle and line.
+    /// A write of `few` lines may exceed `count`. The last vector is filled up with a valid
+    /// triangle and line.
     static constexpr std::size_t spare = std::max(few, lanes);
 
     std::uint32_t count = 0;
@@ -157,7 +158,7 @@ struct CornersInTurn {
             hn::StoreInterleaved4(corner(0, 2), corner(1, 2), error, error, d, third[i]);
         }
     }
-    /// Returns the triangles of the given numbers, one for each lane.
+    /// Returns a vector of triangles: lane i has the triangle `triangles[i]`.
     [[nodiscard]] HWY_INLINE Target target(const std::uint8_t* triangles) const {
         const bundle::Columns first(Doubles(),
                                     [&](std::size_t i) { return first_two[triangles[i]]; });
@@ -270,7 +271,7 @@ bool mark_many(const BlockAcross& placed,
     const Span rows = spans.rows(triangle);
     const Target target(placed, triangle);
     const std::uint32_t passing_lanes = (placed.between >> triangle & 1) != 0 ? ~0u : 0u;
-    // Counts in registers: the compiler must assume that writes to `to` change all others.
+    // Local counters stay in registers. Members of `to` do not, since writes to it may alias them.
     std::uint32_t row = walk.row;
     std::uint32_t done = walk.line;
     std::uint32_t tested = 0;

@@ -5,8 +5,8 @@
 
 namespace cd {
 
-/// A triangle, and where the lines begin that pass through its inside, with both their ends outside
-/// of its plane.
+/// A triangle, and the index of the first line that passes through its interior. Both ends of each
+/// of these lines are off the triangle's plane.
 struct PassedTriangle {
     std::uint32_t slot = 0; ///< Of A.
     std::uint32_t begin = 0;

@@ -10,14 +10,14 @@
 
 namespace cd {
 
-double Stragglers::unanswered_before() const {
+double Stragglers::recalls_expired_until() const {
     return context_.pace.now() - timing::recall_answer_seconds;
 }
 
 bool Stragglers::can_help(const WorkerProxy& proxy) const {
     return proxy.takes_work() && !proxy.is_claimed() &&
            proxy.tasks.left() < proxy.facts().threads &&
-           !tasks_.recalls().is_awaited_by(proxy.id(), unanswered_before());
+           !tasks_.recalls().is_awaited_by(proxy.id(), recalls_expired_until());
 }
 
 std::vector<WorkerProxy*> Stragglers::helpers() const {
@@ -96,7 +96,7 @@ bool Stragglers::may_be_asked(const WorkerProxy& from) const {
 
 bool Stragglers::may_answer_recall(const WorkerProxy& from) const {
     const PendingRecall* asked = tasks_.recalls().find(from.id());
-    return asked != nullptr && from.takes_work() && asked->since > unanswered_before();
+    return asked != nullptr && from.takes_work() && asked->since > recalls_expired_until();
 }
 
 bool Stragglers::may_be_helped(const WorkerProxy& from) const {

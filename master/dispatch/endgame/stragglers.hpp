@@ -43,8 +43,8 @@ class Stragglers {
     [[nodiscard]] PositionSet copyable(const TaskInFlight& task) const;
 
   private:
-    /// A recall of this time, s, or of an earlier one is not answered any more.
-    [[nodiscard]] double unanswered_before() const;
+    /// The master no longer expects answers to recalls sent at or before this time, s.
+    [[nodiscard]] double recalls_expired_until() const;
     /// True if the worker has work that can be recalled or copied now.
     [[nodiscard]] bool may_be_helped(const WorkerProxy& from) const;
     /// True if the task is no copy, has work left, and is of a job whose work may move at the end.

@@ -13,10 +13,9 @@ namespace cd {
 
 namespace {
 
-/// New workers begin when the first blocks have come, not the last: after this part of a fetch.
-/// Each doubling of the workers delays the blocks by another part, since they spread from who has
-/// them to who has not, and many are under way at once. From simulated clusters
-/// (tests/bench/cluster/model/growth_test.cpp).
+/// A new worker starts its first scenarios after this part of the time to fetch all blocks. Each
+/// doubling of the number of workers adds another part, because blocks spread from worker to
+/// worker. Fitted to simulated clusters (tests/bench/cluster/model/growth_test.cpp).
 constexpr double fetch_part_before_work = 0.25;
 constexpr double fetch_part_of_doubling = 0.25;
 

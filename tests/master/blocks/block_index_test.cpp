@@ -68,7 +68,7 @@ TEST_F(BlockIndices, AHolderServesTheWorkersThatAwaitItsBlocks) {
     index_.stop_waiting(deaf, red);
     EXPECT_EQ(index_.next_for(one), WorkerId{}) << "it holds no other block";
     index_.stop_waiting(deaf, blue);
-    EXPECT_TRUE(index_.line().empty());
+    EXPECT_TRUE(index_.awaited().empty());
 }
 
 TEST_F(BlockIndices, ASlotGoesToALaterWorker) {

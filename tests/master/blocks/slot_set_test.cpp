@@ -1,4 +1,4 @@
-// Proves that a set of slots has what was inserted, and finds the next slots of one set and of two.
+// Proves that SlotSet agrees with std::set on membership, iteration and intersection.
 #include "master/blocks/slot_set.hpp"
 
 #include <gtest/gtest.h>

@@ -71,6 +71,14 @@ TEST_F(DispatcherRanges, EachWorkerGetsTwoRangesAndAnotherWhenItAnswers) {
     EXPECT_TRUE(third.empty()) << "it has enough to do";
 }
 
+TEST(DispatcherOfALargeCluster, GivesANewWorkerARangeBeforeItChecksAllWorkersAgain) {
+    Dispatcher dispatcher({.workers_few = 0, .look_seconds_each = 1e6});
+    (void)dispatcher.job_opened(job_1, {}, {tree(1, 10), tree(2, 10)});
+    (void)dispatcher.worker_joined(slow, {"slow", 1});
+    (void)dispatcher.positions_given(job_1, {{0, 10'000}}, 0);
+    EXPECT_EQ(ranges_in(dispatcher.worker_joined(fast, {"fast", 1})).size(), 1u);
+}
+
 TEST_F(DispatcherRanges, UnlikeWorkersGetUnlikeShares) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});

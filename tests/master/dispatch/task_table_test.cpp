@@ -141,6 +141,12 @@ TEST_F(TaskTables, AnAnswerFromElsewhereFindsPositionsOfRanges) {
     EXPECT_EQ(actions.size(), actions_before) << "a second answer is compared with the first";
 }
 
+TEST_F(TaskTables, RepeatedAnswersAreNotSearchedForInRanges) {
+    send_range({10, 10});
+    tasks.answer(job_, {two_.id(), {}, job_.id, PositionRange{18, 2}, 0, true}, actions);
+    EXPECT_EQ(one_.tasks.left(), 10u) << "the caller says that no range has them";
+}
+
 TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
     add(job_, 3);
     send(one_, job_, 3);

@@ -168,7 +168,7 @@ TEST(BundleDepths, ManyAreFoundAtOnce) {
             const Triangle triangle{0, 1, 2};
             const std::uint32_t slot = block_size * blocks.add({&triangle, 1}, {&i, 1}, t);
             triangles.push_back({slot, static_cast<std::uint32_t>(places.size()), 0});
-            // Some have one line, some few, and some all.
+            // One to 64 lines pass through each triangle.
             for (std::uint32_t place = 0; place <= i * i % (i % 3 == 0 ? 64 : 3); ++place) {
                 places.push_back((place + i) % 64);
                 expected.push_back(depth_of(depths, {t[0], t[1], t[2]}, places.back()));

@@ -1,4 +1,4 @@
-// Proves that an open recall is found by the worker that was asked and by the one that waits.
+// Proves that OpenRecalls finds a recall by the worker that was asked and by its helper.
 #include "master/dispatch/endgame/open_recalls.hpp"
 
 #include <gtest/gtest.h>
