@@ -12,8 +12,9 @@
 
 namespace cd::tests {
 
-/// A short heartbeat keeps the tests short. No result depends on it.
-inline const std::vector<std::string> quick{"--heartbeat", "0.05"};
+/// Seconds between heartbeats. A short time keeps the tests short; no result depends on it.
+inline constexpr const char* quick_heartbeat = "0.05";
+inline const std::vector<std::string> quick{"--heartbeat", quick_heartbeat};
 
 inline std::vector<std::string> quick_and(std::vector<std::string> more) {
     more.insert(more.begin(), quick.begin(), quick.end());
@@ -23,8 +24,9 @@ inline std::vector<std::string> quick_and(std::vector<std::string> more) {
 /// Workers have unlimited time to return: any repeated scenario is a defect.
 class BrokenNetwork : public MortalCluster {
   protected:
-    explicit BrokenNetwork(Links links = Links::Plain)
-        : MortalCluster(quick_and({"--lost-after", "600", "--return-within", "600"}), links) {}
+    explicit BrokenNetwork(Links links = Links::Plain, const char* heartbeat = quick_heartbeat)
+        : MortalCluster({"--heartbeat", heartbeat, "--lost-after", "600", "--return-within", "600"},
+                        links) {}
 
     /// Starts a job with one worker behind the proxy.
     void start_job(std::uint64_t scenarios) {
