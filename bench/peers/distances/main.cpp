@@ -16,6 +16,7 @@
 #include <exception>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 
 namespace cd::bench {
 
@@ -104,6 +105,9 @@ void add_scene(const SceneSource& source,
 /// The clearance of the scenes whose searches with a clearance are timed, in metres.
 constexpr double clearance = 0.01;
 constexpr std::array near_scenes{"drivaer near sedan", "drivaer x sedan"};
+/// Rounds of searches with a clearance, half of them before and half after a scene's distances:
+/// where other users of the processor come and go, some rounds are undisturbed.
+constexpr std::size_t near_rounds = 100;
 
 /// Files with the times of searches with a clearance.
 struct NearFiles {
@@ -111,17 +115,17 @@ struct NearFiles {
     CsvFile floats;
 
     explicit NearFiles(const std::filesystem::path& folder)
-        : queries(folder / "near_queries.csv", {"scene", "poses", "mean_us", "median_us"}),
+        : queries(folder / "near_queries.csv",
+                  {"scene", "poses", "rounds", "quickest_round_us", "median_round_us"}),
           floats(folder / "near_floats.csv",
                  {"scene", "target", "candidates", "unknown", "candidate_ns"}) {}
 
-    void add(const Scene& scene, std::size_t rounds) {
-        const std::vector<double> seconds = measure_near_queries(scene, clearance, rounds);
-        const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+    void add(const Scene& scene, const NearQueries& times, std::size_t rounds) {
         queries.row({scene.name,
-                     cell(std::uint64_t{seconds.size()}),
-                     cell(1e6 * sum / static_cast<double>(seconds.size())),
-                     cell(1e6 * median(seconds))});
+                     cell(std::uint64_t{scene.poses.size()}),
+                     cell(std::uint64_t{times.rounds()}),
+                     cell(1e6 * times.quickest_round()),
+                     cell(1e6 * times.median_round())});
         for (const NearFloats& row : measure_near_floats(scene, clearance, rounds)) {
             floats.row({scene.name,
                         row.target,
@@ -159,10 +163,15 @@ void run(const Options& options) {
         std::printf("%s\n", source.name.c_str());
         std::fflush(stdout);
         if (const auto scene = source.load()) {
+            std::optional<NearQueries> queries;
+            if (std::ranges::count(near_scenes, source.name) > 0) {
+                queries.emplace(*scene, clearance).run(near_rounds / 2);
+            }
             add_scene(
                 source, engines, run_distance_contest(*scene, engines, options.contest), scenes);
-            if (std::ranges::count(near_scenes, source.name) > 0) {
-                near.add(*scene, options.contest.rounds);
+            if (queries) {
+                queries->run(near_rounds / 2);
+                near.add(*scene, *queries, options.contest.rounds);
             }
         }
     }

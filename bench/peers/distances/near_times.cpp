@@ -96,29 +96,36 @@ measure_near_floats(const Scene& scene, double clearance, std::size_t rounds) {
     return rows;
 }
 
-std::vector<double> measure_near_queries(const Scene& scene, double clearance, std::size_t rounds) {
-    const auto tree_a = build_ours(scene.a, 1);
-    const auto tree_b = build_ours(scene.b, 1);
-    const TreeView a = tree_a->view();
-    const TreeView b = tree_b->view();
-    const auto search =
-        make_search(a, b, scene.poses.front(), {}, {.keep_pairs = true, .clearance = clearance});
-    std::vector<std::vector<double>> seconds(scene.poses.size());
+NearQueries::NearQueries(const Scene& scene, double clearance)
+    : scene_(scene),
+      a_(build_ours(scene.a, 1)),
+      b_(build_ours(scene.b, 1)),
+      search_(make_search(a_->view(),
+                          b_->view(),
+                          scene.poses.front(),
+                          {},
+                          {.keep_pairs = true, .clearance = clearance})) {}
+
+void NearQueries::run(std::size_t rounds) {
+    const TreeView a = a_->view();
+    const TreeView b = b_->view();
     for (std::size_t round = 0; round < rounds; ++round) {
-        for (std::size_t p = 0; p < scene.poses.size(); ++p) {
-            // Wall time: the processor-time clock is a system call of about 1.4 us, a tenth of a
-            // query.
-            seconds[p].push_back(seconds_of([&] {
-                search->restart(scene.poses[p]);
-                static_cast<void>(search->any_near(a, b));
-            }));
-        }
+        const double seconds = seconds_of([&] {
+            for (const PosePair& poses : scene_.poses) {
+                search_->restart(poses);
+                static_cast<void>(search_->any_near(a, b));
+            }
+        });
+        round_means_.push_back(seconds / static_cast<double>(scene_.poses.size()));
     }
-    std::vector<double> medians;
-    for (const std::vector<double>& each : seconds) {
-        medians.push_back(median(each));
-    }
-    return medians;
+}
+
+double NearQueries::quickest_round() const {
+    return *std::ranges::min_element(round_means_);
+}
+
+double NearQueries::median_round() const {
+    return median(round_means_);
 }
 
 } // namespace cd::bench

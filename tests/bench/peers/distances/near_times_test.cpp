@@ -1,4 +1,4 @@
-// Proves that searches with a clearance are timed pose by pose, and the float stage of their
+// Proves that searches with a clearance are timed round by round, and the float stage of their
 // decisions on every SIMD target with the candidates that the clearance gives.
 #include "bench/peers/distances/near_times.hpp"
 
@@ -40,13 +40,16 @@ TEST(NearTimes, TakesMoreCandidatesWithALargerClearance) {
     EXPECT_GT(more[0].candidates, less[0].candidates);
 }
 
-TEST(NearTimes, HasATimeForEachPose) {
-    const std::vector<double> seconds = measure_near_queries(torus_scene(4), 0.01, 1);
+TEST(NearTimes, TheMedianRoundIsNoQuickerThanTheQuickest) {
+    const Scene scene = torus_scene(4);
+    NearQueries queries(scene, 0.01);
 
-    ASSERT_EQ(seconds.size(), 4);
-    for (const double each : seconds) {
-        EXPECT_GT(each, 0);
-    }
+    queries.run(3);
+    queries.run(2);
+
+    EXPECT_EQ(queries.rounds(), 5);
+    EXPECT_GT(queries.quickest_round(), 0);
+    EXPECT_GE(queries.median_round(), queries.quickest_round());
 }
 
 } // namespace
