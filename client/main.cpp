@@ -1,24 +1,15 @@
 // cdctl: the user's command line program.
 #include "client/base/exit_code.hpp"
+#include "client/base/heap.hpp"
 #include "client/cli/cli.hpp"
 #include "client/commands/commands.hpp"
 #include "common/core/host/log.hpp"
-
-#include <malloc.h>
 
 #include <cstdio>
 #include <exception>
 #include <new>
 
 namespace {
-
-/// Makes malloc map arrays above 4 MiB separately and return free memory above 8 MiB at the heap's
-/// end: importing and building need several times the memory that stays in use.
-void keep_heap_small() {
-    // Once set, the thresholds no longer grow with the largest array that was freed.
-    ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
-    ::mallopt(M_TRIM_THRESHOLD, 8 << 20);
-}
 
 /// Flushes stdout and returns `code`. If `code` says that a verb succeeded but not all of its
 /// output could be written, prints a line on stderr and returns `exit_incomplete`.
@@ -37,7 +28,7 @@ int finish_standard_output(int code) {
 
 int main(int argc, char** argv) {
     try {
-        keep_heap_small();
+        cd::return_freed_memory();
         cd::start_logging("cdctl", "warning"); // No log goes to stdout, which programs read.
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
