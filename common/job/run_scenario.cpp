@@ -1,6 +1,8 @@
 #include "common/job/run_scenario.hpp"
 
+#include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/job/answer_poses.hpp"
 #include "common/job/run_motion.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/shots/run_shots.hpp"
