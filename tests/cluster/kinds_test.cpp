@@ -3,6 +3,7 @@
 // three workers, whoever analyses.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 

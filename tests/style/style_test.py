@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Proves that the checks of includes, documents, classes, callers and the page can fail: a tree that breaks each rule is
-refused, a clean one passes. Usage: style_test.py"""
+"""Proves that the checks of includes, unseen names, documents, classes, callers and the page can fail: a tree that
+breaks each rule is refused, a clean one passes. Usage: style_test.py"""
 import pathlib
 import subprocess
 import sys
@@ -35,7 +35,16 @@ BAD_SOURCES = {
     },
     "no pragma once": {"common/core/d.hpp": "int x();\n"},
 }
-
+GOOD_NAMES = {
+    "common/core/a.hpp": "#pragma once\n#define CD_A(x) x\nstruct Thing {\n    int count;\n};\nint twice(int x);\n",
+    "common/core/b.hpp": '#pragma once\n#include "common/core/a.hpp"\nenum class Kind { Other };\nstruct Other;\n',
+    "common/core/b.cpp": '#include "common/core/b.hpp"\nint f(Thing t) {\n    return CD_A(twice(t.count));\n}\n',
+}
+BAD_NAMES = {
+    "a macro unseen": {"master/m.cpp": "int f() {\n    return CD_A(1);\n}\n"},
+    "a type unseen": {"master/m.cpp": "int f() {\n    return sizeof(Thing);\n}\n"},
+    "a function unseen": {"tests/t.cpp": "int f() {\n    return twice(1);\n}\n"},
+}
 
 GOOD_PAGES = {
     "README.md": "# A page\n\n[Job](docs/job-file.md#the-job)\n\n| a | cell |\n\n```toml\nname = 1\n```\n",
@@ -149,6 +158,7 @@ def failures_of(check, good, bad):
 
 CHECKS = [
     ("includes.py", GOOD_SOURCES, BAD_SOURCES),
+    ("unseen.py", GOOD_NAMES, BAD_NAMES),
     ("documents.py", GOOD_PAGES, BAD_PAGES),
     ("classes.py", GOOD_CLASSES, BAD_CLASSES),
     ("callers.py", GOOD_CALLERS, BAD_CALLERS),

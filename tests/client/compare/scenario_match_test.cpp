@@ -2,6 +2,7 @@
 #include "client/compare/scenario_match.hpp"
 
 #include "client/compare/scenario_keys.hpp"
+#include "tests/support/scenarios.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
