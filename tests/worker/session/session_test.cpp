@@ -14,10 +14,15 @@ namespace {
 TEST(Session, AnswersBatchesAsWholeTreesDo) {
     const auto how = perform(unlimited, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 60);
-        master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(20)));
-        master.channel->send(make_batch(TaskId{2}, std::span(scenarios).subspan(20, 20)));
+        const auto send = [&](std::uint64_t task, std::size_t first) {
+            WorkUnit batch = make_batch(TaskId{task}, std::span(scenarios).subspan(first, 20));
+            batch.results_wait_ms = 1000;
+            master.channel->send(std::move(batch));
+        };
+        send(1, 0);
+        send(2, 20);
         co_await master.serve_until_ended(2);
-        master.channel->send(make_batch(TaskId{3}, std::span(scenarios).subspan(40)));
+        send(3, 40);
         co_await master.serve_until_ended(3);
         expect_all_right(master, scenarios);
         EXPECT_EQ(master.subtrees_evicted, 0u);
