@@ -47,8 +47,8 @@ struct Answers {
     TaskId task;     ///< Task of the worker that had the positions; 0 if unknown.
     JobId job;
     PositionSet positions;
-    double busy_seconds = 0;   ///< Thread time of the worker for the answers, s; 0: not measured.
-    bool are_repeated = false; ///< All positions have been answered before.
+    double busy_seconds = 0;    ///< Thread time of the worker for the answers, s; 0: not measured.
+    std::uint64_t repeated = 0; ///< Number of positions that have been answered before.
 };
 
 struct DispatcherOptions {

@@ -82,6 +82,10 @@ const TaskInFlight* TaskTable::find(const Assignment& task) const {
 TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, Actions& actions) {
     Relieved relieved;
     PositionSet rest = answers.positions;
+    // The first answer of a position removes it from wherever it is, which can take a look at all
+    // workers. Here `sought` counts the first answers whose position is yet to be found.
+    std::uint64_t sought = rest.count() - answers.repeated;
+    const auto are_found = [&](std::uint64_t count) { sought -= std::min(sought, count); };
     const Assignment named{answers.worker, answers.task};
     const TaskInFlight* const task = find(named);
     if (task != nullptr && task->job == job.id) {
@@ -103,13 +107,15 @@ TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, 
             }
         }
         rest.remove(found);
+        are_found(found.count());
     }
     if (rest.is_empty()) {
         return relieved;
     }
+    const std::uint64_t unsent_before = job.unsent.rest();
     const PositionSet unanalysed = answer_elsewhere(job, answers.worker, rest, relieved);
-    // An answered position has been removed from every range, so a repeated one needs no search.
-    if (!answers.are_repeated && !unanalysed.is_empty()) {
+    are_found(rest.count() - unanalysed.count() + unsent_before - job.unsent.rest());
+    if (sought != 0 && !unanalysed.is_empty()) {
         answer_in_ranges(job, answers.worker, unanalysed, relieved);
     }
     return relieved;

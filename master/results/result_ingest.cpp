@@ -225,14 +225,14 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
     const bool is_copy = parts_.dispatch.view().is_copy(worker, results.task);
     // Late results belong to no task, and their times were measured before.
     const bool is_late = hand.task == nullptr;
-    const bool are_repeated = std::ranges::all_of(
+    const auto repeated = std::ranges::count_if(
         scenarios, [&](std::uint64_t scenario) { return job.merged.has(scenario); });
     parts_.dispatch.act(parts_.dispatch->answered({worker,
                                                    is_late ? TaskId{} : results.task,
                                                    job.id,
                                                    std::move(hand.taken.value().positions),
                                                    is_late ? 0 : results.compute_seconds,
-                                                   are_repeated}));
+                                                   static_cast<std::uint64_t>(repeated)}));
     const std::uint64_t merged_before = job.merged.summary().merged();
     const std::uint64_t disputes_before = job.run->disputes;
     parts_.merger.merge(job, std::move(hand.taken.value()), hand.incoming.author);

@@ -143,8 +143,16 @@ TEST_F(TaskTables, AnAnswerFromElsewhereFindsPositionsOfRanges) {
 
 TEST_F(TaskTables, RepeatedAnswersAreNotSearchedForInRanges) {
     send_range({10, 10});
-    tasks.answer(job_, {two_.id(), {}, job_.id, PositionRange{18, 2}, 0, true}, actions);
-    EXPECT_EQ(one_.tasks.left(), 10u) << "the caller says that no range has them";
+    tasks.send_range(two_, job_, {{30, 10}}, 100, actions);
+    const TaskId own = last<SendUnit>().task;
+    const auto answer = [&](const PositionSet& positions, std::uint64_t repeated) {
+        tasks.answer(job_, {two_.id(), own, job_.id, positions, 0, repeated}, actions);
+        return one_.tasks.left();
+    };
+    EXPECT_EQ(answer(PositionRange{18, 2}, 2), 10u) << "the caller says that no range has them";
+    EXPECT_EQ(answer(PositionSet::of({19, 30}), 1), 10u) << "the only new one is in its own task";
+    EXPECT_EQ(answer(PositionSet::of({18, 19, 31}), 1), 8u) << "one new position is elsewhere";
+    EXPECT_EQ(two_.tasks.left(), 8u);
 }
 
 TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
