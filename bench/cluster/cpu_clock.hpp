@@ -1,6 +1,7 @@
 // Processor time: excludes waiting for a busy machine.
 #pragma once
 
+#include <algorithm>
 #include <ctime>
 
 namespace cd::bench {
@@ -19,6 +20,21 @@ namespace cd::bench {
 /// Processor time of all threads, s.
 [[nodiscard]] inline double process_cpu_seconds() {
     return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+/// What a call of `cpu_seconds` itself takes, s: the quickest of some rounds. Between two calls
+/// this much more seems to pass than was spent there.
+[[nodiscard]] inline double cpu_clock_cost() {
+    constexpr int calls = 1000;
+    double cost = 1;
+    for (int round = 0; round < 10; ++round) {
+        const double begin = cpu_seconds();
+        for (int i = 1; i < calls; ++i) {
+            static_cast<void>(cpu_seconds());
+        }
+        cost = std::min(cost, (cpu_seconds() - begin) / calls);
+    }
+    return cost;
 }
 
 } // namespace cd::bench

@@ -227,7 +227,9 @@ class LargeCluster {
                    [this, source, to, fetch] { answer(source, to, fetch); });
     }
     void take(std::size_t to, const Recall& recall) {
-        tell_master(to, {host(to).model.take(recall)});
+        if (const auto recalled = host(to).model.take(recall)) {
+            tell_master(to, {*recalled});
+        }
         tell_results(to);
     }
     /// A running scenario is not stopped.

@@ -53,7 +53,8 @@ struct SimulatedMaster::State {
     MasterCounts counts;
     std::map<BlockId, std::uint64_t> uploads; ///< Number of times that a block was sent.
     Letters letters;                          ///< Of the current event.
-    double letter_seconds = 0;  ///< Processor time for the letters of the current event.
+    double letter_seconds = 0; ///< Processor time for the letters of the current event.
+    const double clock_cost = cpu_clock_cost();
     double spent = 0;           ///< Simulated time of the current work of a pool thread.
     std::uint64_t analysed = 0; ///< Scenarios of the current work of a pool thread.
     JobId job;
@@ -128,7 +129,7 @@ void SimulatedMaster::State::send(WorkerId to, const Message& message) {
     }
     counts.batches += std::holds_alternative<WorkUnit>(message) ? 1 : 0;
     letters.push_back({to, message, bytes});
-    letter_seconds += cpu_seconds() - begin;
+    letter_seconds += cpu_seconds() - begin + clock_cost;
 }
 
 // ---- Events -------------------------------------------------------------------------------------
@@ -142,7 +143,8 @@ SimulatedMaster::Letters SimulatedMaster::run(const Event& event) {
     do {
         state.context.restart();
     } while (state.context.poll() != 0 || state.loop.run_ready());
-    state.counts.seconds += cpu_seconds() - begin - state.letter_seconds;
+    const double passed = cpu_seconds() - begin;
+    state.counts.seconds += std::max(0.0, passed - state.letter_seconds - state.clock_cost);
     return std::exchange(state.letters, {});
 }
 

@@ -340,7 +340,9 @@ class Simulation {
     }
 
     void take(Worker& worker, const Recall& recall) {
-        put_to_master(worker, {worker.model.take(recall)});
+        if (const auto recalled = worker.model.take(recall)) {
+            put_to_master(worker, {*recalled});
+        }
         send_results(worker); // A task with no scenarios left ends.
     }
 

@@ -108,13 +108,13 @@ void WorkerModel::want(const BlockId& block, std::vector<BlockId>& wanted) {
     wanted.push_back(block);
 }
 
-Recalled WorkerModel::take(const Recall& recall) {
+std::optional<Recalled> WorkerModel::take(const Recall& recall) {
     const auto task = tasks_.find(recall.task);
     if (task == tasks_.end()) {
-        return {recall.task, {}, 0};
+        return std::nullopt;
     }
     if (task->second.is_range) {
-        return {recall.task, {}, keep_first(recall.task, recall.kept)};
+        return Recalled{recall.task, {}, keep_first(recall.task, recall.kept)};
     }
     for (const std::uint64_t scenario : recall.scenarios) {
         const auto place = scenarios_.find(scenario);
@@ -125,7 +125,7 @@ Recalled WorkerModel::take(const Recall& recall) {
         }
     }
     const auto& given_back = task->second.given_back;
-    return {recall.task, {given_back.begin(), given_back.end()}, 0};
+    return Recalled{recall.task, {given_back.begin(), given_back.end()}, 0};
 }
 
 std::uint64_t WorkerModel::keep_first(TaskId id, std::uint64_t kept) {

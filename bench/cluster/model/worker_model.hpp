@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -38,8 +39,8 @@ class WorkerModel {
     /// limits.
     Messages ahead();
     /// Returns all returned scenarios of the task, ascending, or the number of first scenarios that
-    /// a range keeps.
-    Recalled take(const Recall& recall);
+    /// a range keeps; nothing for a task that has ended, as a worker does.
+    std::optional<Recalled> take(const Recall& recall);
     /// Returns true if the scenario runs here and may stop.
     [[nodiscard]] bool take(const DropScenario& loser);
     /// Returns the seconds to open the blocks on a fast core.

@@ -160,20 +160,21 @@ TEST(ClusterModels, AWorkerGivesBackWhatItHasNotBegun) {
     const Workload workload = make_synthetic_workload(2, 4);
     WorkerModel worker(WorkerId{1}, workload);
     const auto wanted = answers(worker.take(unit_of({0, 1, 2, 3})));
-    EXPECT_EQ(worker.take(Recall{TaskId{7}, {3}}).scenarios, (std::vector<std::uint64_t>{3}));
+    EXPECT_EQ(worker.take(Recall{TaskId{7}, {3}})->scenarios, (std::vector<std::uint64_t>{3}));
     for (const Subtrees& blocks : wanted) {
         (void)worker.opened(blocks);
     }
     ASSERT_EQ(worker.ready_count(), 3u);
     const std::uint64_t begun = worker.next();
     EXPECT_EQ(begun, 0u);
-    const Recalled gave = worker.take(Recall{TaskId{7}, {0, 2}});
+    const Recalled gave = worker.take(Recall{TaskId{7}, {0, 2}}).value();
     EXPECT_EQ(gave.scenarios, (std::vector<std::uint64_t>{2, 3})) << "all so far";
     EXPECT_FALSE(worker.take(DropScenario{{}, 1, TaskId{7}})) << "it does not run";
     EXPECT_EQ(worker.ready_count(), 0u);
     EXPECT_TRUE(worker.take(DropScenario{{}, 0, TaskId{7}}));
     worker.ran(begun, 1.0, 0.5);
     EXPECT_EQ(results_in(worker.due(1.0, 1)), std::pair(std::size_t{0}, true));
+    EXPECT_FALSE(worker.take(Recall{TaskId{7}, {0}}).has_value()) << "its end is on the way";
 }
 
 /// The range [first, first + count) as the task 9.
@@ -209,7 +210,7 @@ TEST(ClusterModels, ARangeKeepsItsFirstScenariosAndThoseThatHaveBegun) {
     const Workload workload = make_synthetic_workload(2, 6);
     WorkerModel worker(WorkerId{1}, workload);
     const Messages tops = worker.take(range_of(0, 6));
-    EXPECT_EQ(worker.take(Recall{TaskId{9}, {}, 1}).kept, 6u) << "it has not begun";
+    EXPECT_EQ(worker.take(Recall{TaskId{9}, {}, 1})->kept, 6u) << "it has not begun";
     Messages asked;
     for (const Subtrees& top : answers(tops)) {
         asked = worker.opened(top);
@@ -223,7 +224,7 @@ TEST(ClusterModels, ARangeKeepsItsFirstScenariosAndThoseThatHaveBegun) {
     const std::uint64_t second = worker.next();
     const std::uint64_t begun = std::max(first, second) + 1;
     for (const std::uint64_t wanted : {std::uint64_t{4}, std::uint64_t{0}}) {
-        const std::uint64_t kept = worker.take(Recall{TaskId{9}, {}, wanted}).kept;
+        const std::uint64_t kept = worker.take(Recall{TaskId{9}, {}, wanted})->kept;
         EXPECT_EQ(kept, std::max(begun, wanted));
         EXPECT_EQ(worker.ready_count(), kept - 2);
     }
