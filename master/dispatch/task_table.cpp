@@ -84,7 +84,7 @@ TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, 
     PositionSet rest = answers.positions;
     // The first answer of a position removes it from wherever it is, which can take a look at all
     // workers. Here `sought` counts the first answers whose position is yet to be found.
-    std::uint64_t sought = rest.count() - answers.repeated;
+    std::uint64_t sought = rest.count() - std::min(rest.count(), answers.repeated);
     const auto are_found = [&](std::uint64_t count) { sought -= std::min(sought, count); };
     const Assignment named{answers.worker, answers.task};
     const TaskInFlight* const task = find(named);
