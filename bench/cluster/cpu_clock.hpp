@@ -22,8 +22,8 @@ namespace cd::bench {
     return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-/// What a call of `cpu_seconds` itself takes, s: the quickest of some rounds. Between two calls
-/// this much more seems to pass than was spent there.
+/// Returns the cost of one call of `cpu_seconds`, s: the least mean of several rounds. The
+/// difference of two calls includes it.
 [[nodiscard]] inline double cpu_clock_cost() {
     constexpr int calls = 1000;
     double cost = 1;

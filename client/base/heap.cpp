@@ -21,6 +21,7 @@ void return_freed_memory() {
 }
 
 void keep_freed_memory() {
+    ::malloc_trim(0);
     set_thresholds(32 * mebibyte, 64 * mebibyte);
 }
 

@@ -1,4 +1,4 @@
-// How much freed memory malloc keeps for the next allocation.
+// Sets how much freed memory malloc keeps for later allocations.
 #pragma once
 
 namespace cd {
@@ -7,8 +7,9 @@ namespace cd {
 /// 4 MiB are mapped separately, and free memory above 8 MiB at the heap's end is returned.
 void return_freed_memory();
 
-/// For running: keeps up to 64 MiB of freed memory for the results of the next scenarios. To map
-/// and clear it anew for each can take longer than the search.
+/// Call when importing and building are done: returns the memory that they have freed, and from
+/// then on keeps up to 64 MiB of freed memory for further results. Mapping and clearing new pages
+/// for each result can take longer than the search.
 void keep_freed_memory();
 
 } // namespace cd

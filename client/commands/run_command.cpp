@@ -1,6 +1,7 @@
 #include "client/commands/run_command.hpp"
 
 #include "client/base/exit_code.hpp"
+#include "client/base/heap.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/compare/earlier_run.hpp"
@@ -15,8 +16,6 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/simd_target.hpp"
-
-#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -240,7 +239,7 @@ Result<int> run_job(const RunCommand& command) {
                               pool,
                               command.quiet));
     CD_TRY(check_fail_on(command.fail_on, job.query));
-    ::malloc_trim(0); // Returns the memory that importing and building have freed.
+    keep_freed_memory();
     print_header(job, command.quiet);
     std::optional<EarlierRun> earlier;
     if (!command.reuse.empty()) {

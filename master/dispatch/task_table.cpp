@@ -82,8 +82,8 @@ const TaskInFlight* TaskTable::find(const Assignment& task) const {
 TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, Actions& actions) {
     Relieved relieved;
     PositionSet rest = answers.positions;
-    // The first answer of a position removes it from wherever it is, which can take a look at all
-    // workers. Here `sought` counts the first answers whose position is yet to be found.
+    // `sought` counts the positions that are answered for the first time and not yet removed from a
+    // task or queue. Only they justify a search of all workers' ranges.
     std::uint64_t sought = rest.count() - std::min(rest.count(), answers.repeated);
     const auto are_found = [&](std::uint64_t count) { sought -= std::min(sought, count); };
     const Assignment named{answers.worker, answers.task};

@@ -14,12 +14,6 @@ namespace cd::tests {
 
 /// Seconds between heartbeats. A short time keeps the tests short; no result depends on it.
 inline constexpr const char* quick_heartbeat = "0.05";
-inline const std::vector<std::string> quick{"--heartbeat", quick_heartbeat};
-
-inline std::vector<std::string> quick_and(std::vector<std::string> more) {
-    more.insert(more.begin(), quick.begin(), quick.end());
-    return more;
-}
 
 /// Workers have unlimited time to return: any repeated scenario is a defect.
 class BrokenNetwork : public MortalCluster {

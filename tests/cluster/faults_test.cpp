@@ -169,7 +169,8 @@ class LostWorkers : public BrokenNetwork {
   protected:
     LostWorkers() {
         master_.kill();
-        master_.set_options(quick_and({"--lost-after", "0.3", "--return-within", "0.3"}));
+        master_.set_options(
+            {"--heartbeat", quick_heartbeat, "--lost-after", "0.3", "--return-within", "0.3"});
         master_.start();
     }
 };

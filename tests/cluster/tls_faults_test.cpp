@@ -42,8 +42,8 @@ TEST_F(SecuredNetwork, AHalfOpenConnectionIsNoticedAtBothEndsAndTheSessionGoesOn
     EXPECT_GE(resumed(), 2u);
 }
 
-/// TLS delivers a record of up to 16 KiB only once it is complete. Trickled, that takes more than a
-/// second, so peers count as silent after three.
+/// A heartbeat of 1 s, so that a peer counts as silent after 3 s: TLS delivers a record of up to
+/// 16 KiB only once it is complete, which takes over a second while the proxy trickles.
 class SlowSecuredNetwork : public BrokenNetwork {
   protected:
     SlowSecuredNetwork() : BrokenNetwork(Links::Secured, "1") {}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Finds names that a file uses without seeing the header that declares them. Tests compile many files as one, where an
-include of one file serves those after it; builds for debugging and sanitizers compile each alone, and fail. Looks at
-macros, types and free functions that one header alone declares. Usage: unseen.py REPOSITORY"""
+"""Finds names that a file uses without including, directly or not, the header that declares them. Unity builds hide
+such a mistake, since the includes of one file serve the files after it; other builds fail. Checks macros, types and
+free functions that only one header declares. Usage: unseen.py REPOSITORY"""
 import collections
 import pathlib
 import re
@@ -15,23 +15,23 @@ from includes import SOURCES, seen_from
 MACRO = re.compile(r"^\s*#\s*define\s+(CD_\w+)", re.MULTILINE)
 TYPE = re.compile(r"\b(?:class|struct|enum class|typename|using|concept)\s+([A-Z]\w*)")
 ENUM = re.compile(r"\benum (?:class )?\w*[^{;]*\{([^}]*)\}")
-# A name behind a type: a function, a method, a variable or a parameter.
+# A name that follows a type declares a function, a method, a variable or a parameter.
 NAMED = re.compile(r"(?:[\w>&*\]]\s+|::)(?<!return )(?<!co_await )(?<!throw )(?<!else )[&*]*([a-z]\w+)\s*[=({;,)\[]")
 FREE = re.compile(r"^(?:\[\[nodiscard\]\] )?(?!using|namespace|return|friend)[a-zA-Z][^\n=;#{}]*[\w>&*]\s+[&*]?([a-z]\w+)\(", re.MULTILINE)
 USE = re.compile(r"(?<![\w.:>#])(?:cd::)?(?:([A-Z]\w+)\b|([a-z]\w+)\()")
-SUITE = re.compile(r"^(?:TEST\w*|INSTANTIATE\w+|CD_CONVERSATION)\(\w+")  # It may be named after a type.
+SUITE = re.compile(r"^(?:TEST\w*|INSTANTIATE\w+|CD_CONVERSATION)\(\w+")  # A test suite may be named after a type.
 
 
 def declarations(files, text):
-    """The only header that declares a name, by name."""
-    declared = collections.defaultdict(set)  # Files by name.
+    """Maps each name that only one header declares to that header."""
+    declared = collections.defaultdict(set)  # The headers of each name.
     wanted = set()
     for path in files:
         for name in re.findall(r"\w+", " ".join(ENUM.findall(text[path]))):
             declared[name].add("an enumerator")
         for pattern in (MACRO, TYPE, NAMED, FREE):
             for name in pattern.findall(text[path]):
-                # A declaration and its definition beside it are one.
+                # Counts a declaration in a header and its definition in the .cpp file beside it as one.
                 declared[name].add(path.rsplit(".", 1)[0] + ".hpp")
         if path.endswith(".hpp"):
             for pattern in (MACRO, TYPE, FREE):

@@ -105,8 +105,8 @@ void add_scene(const SceneSource& source,
 /// The clearance of the scenes whose searches with a clearance are timed, in metres.
 constexpr double clearance = 0.01;
 constexpr std::array near_scenes{"drivaer near sedan", "drivaer x sedan"};
-/// Rounds of searches with a clearance, half of them before and half after a scene's distances:
-/// where other users of the processor come and go, some rounds are undisturbed.
+/// Number of rounds in which searches with a clearance are timed: half before a scene's distances,
+/// half after them, so that a short load of the machine disturbs only some.
 constexpr std::size_t near_rounds = 100;
 
 /// Files with the times of searches with a clearance.

@@ -37,8 +37,8 @@ class NearQueries {
     void run(std::size_t rounds);
 
     [[nodiscard]] std::size_t rounds() const { return round_means_.size(); }
-    /// Returns the mean seconds a pose in the quickest round. Other users of the processor add to
-    /// a round's time and take nothing from it, so this is nearest to what the search costs.
+    /// Returns the mean seconds a pose in the quickest round, which other load of the machine
+    /// disturbs least.
     [[nodiscard]] double quickest_round() const;
     /// Returns the mean seconds a pose in the median round.
     [[nodiscard]] double median_round() const;

@@ -1,6 +1,5 @@
 #include "client/commands/local/run_here.hpp"
 
-#include "client/base/heap.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/export/result_sink.hpp"
@@ -209,7 +208,6 @@ Result<int> run_into_folder(const LocalJob& local) {
 } // namespace
 
 Result<int> run_here(const LocalJob& local) {
-    keep_freed_memory();
     return local.job.spec.output.dir.empty() ? run_without_folder(local) : run_into_folder(local);
 }
 

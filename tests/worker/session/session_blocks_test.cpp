@@ -13,8 +13,8 @@ namespace {
 TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
     perform(unlimited, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 120);
-        // So few that the worker does not join its blocks, however long each takes: on joined trees
-        // a scenario counts all blocks.
+        // Too few scenarios for the worker to join its blocks. On joined trees, each scenario
+        // counts all blocks as hits.
         const auto first = std::span(scenarios).first(limits::join_descents_min / 2);
         master.channel->send(make_batch(TaskId{1}, first));
         co_await master.serve_until_ended(1);
