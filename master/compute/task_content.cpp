@@ -7,22 +7,28 @@
 
 namespace cd {
 
-std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
+std::optional<std::uint64_t> RangeContent::position_of(std::uint64_t index) const {
     if (window != nullptr && !window->has(index)) {
         return std::nullopt;
     }
     const std::uint64_t position = window == nullptr ? index : window->position_of(index);
-    if (position < positions.first || position >= positions.end()) {
+    const bool is_here = position >= positions.first && position < positions.end();
+    return is_here ? std::optional(position) : std::nullopt;
+}
+
+std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
+    const std::optional<std::uint64_t> position = position_of(index);
+    if (!position) {
         return std::nullopt;
     }
     if (window == nullptr) {
-        return PlacedScenario{scenario_on(*order->grid(), index), position};
+        return PlacedScenario{scenario_on(*order->grid(), index), *position};
     }
     // `PoseSpool` has checked the pose: when it came or when the master started, and its checksum
     // when it was read.
-    const Result<Scenario> scenario = window->at(position);
+    const Result<Scenario> scenario = window->at(*position);
     CD_CHECK(scenario);
-    return PlacedScenario{scenario.value(), position};
+    return PlacedScenario{scenario.value(), *position};
 }
 
 WorkUnit TaskContent::unit(TaskId task) const {
@@ -73,7 +79,13 @@ PositionSet TaskContent::returned(const Recalled& recalled) const {
     PositionSet positions;
     if (range) {
         const std::uint64_t kept = std::min(recalled.kept, range->positions.count);
-        return PositionRange{range->positions.first + kept, range->positions.count - kept};
+        positions = PositionRange{range->positions.first + kept, range->positions.count - kept};
+        for (const std::uint64_t index : recalled.scenarios) {
+            if (const auto position = range->position_of(index)) {
+                positions.add({*position, 1});
+            }
+        }
+        return positions;
     }
     for (const auto& analysis : analyses) {
         if (std::ranges::binary_search(recalled.scenarios, analysis->scenario.index)) {

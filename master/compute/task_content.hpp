@@ -40,6 +40,8 @@ struct RangeContent {
     std::shared_ptr<const PoseWindow> window; ///< Null for a grid.
     std::shared_ptr<OrderedPoses> order;
 
+    /// The position of the scenario with this index; empty if it is not in the range.
+    [[nodiscard]] std::optional<std::uint64_t> position_of(std::uint64_t index) const;
     /// The scenario with this index; empty if it is not in the range.
     [[nodiscard]] std::optional<PlacedScenario> find(std::uint64_t index) const;
 };

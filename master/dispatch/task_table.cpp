@@ -346,7 +346,7 @@ std::uint64_t TaskTable::owed(const Assignment& task) const {
 // ---- Recalls ------------------------------------------------------------------------------------
 
 void TaskTable::ask_back(AskBack ask, WorkerId helper, Actions& actions) {
-    recalls_.add(ask.worker, {ask.task, ask.positions.count(), helper, pace_.now()});
+    recalls_.add(ask.worker, {ask.task, helper, pace_.now()});
     actions.push_back(std::move(ask));
 }
 
@@ -374,7 +374,7 @@ void TaskTable::take_recalled(WorkerProxy& proxy,
     }
     const PendingRecall* asked = recalls_.find(proxy.id());
     if (asked != nullptr && asked->task == id) {
-        if (back.count() < asked->asked) {
+        if (back.is_empty()) {
             proxy.tasks.set_begun(id);
         }
         recalls_.remove(proxy.id());

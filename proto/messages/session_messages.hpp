@@ -13,7 +13,7 @@
 namespace cd {
 
 /// Both ends of a connection must use one version.
-inline constexpr std::uint16_t protocol_version = 20;
+inline constexpr std::uint16_t protocol_version = 21;
 
 enum class Role : std::uint8_t {
     Worker = 1,

@@ -178,8 +178,9 @@ struct Holding {
 /// answers any more.
 struct Recalled {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Analysed unit: returned scenarios, ascending.
-    std::uint64_t kept = 0;               ///< Other units: number of first scenarios kept.
+    std::vector<std::uint64_t> scenarios; ///< Returned scenarios, ascending.
+    /// Not analysed unit: all scenarios after so many first ones are returned as well.
+    std::uint64_t kept = 0;
 };
 
 /// A tree that the worker has.

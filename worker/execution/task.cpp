@@ -181,6 +181,12 @@ void Task::keep_first(std::size_t count) {
     unwalked_end_ = end;
 }
 
+bool Task::is_recalled(std::size_t scenario, const Recall& recall) const {
+    const bool is_range = unwalked_end_ != 0;
+    return is_range ? scenario >= recall.kept
+                    : std::ranges::binary_search(recall.scenarios, index_of(scenario));
+}
+
 Recalled Task::given_back() const {
     return {id_, {given_back_.begin(), given_back_.end()}, unwalked_end_};
 }

@@ -67,9 +67,12 @@ class Task {
     [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {
         return scenarios_.at(scenario).index;
     }
+    /// Whether the recall, which is of this task, asks for the scenario.
+    [[nodiscard]] bool is_recalled(std::size_t scenario, const Recall& recall) const;
     /// Records that a recalled scenario ended without a result.
     void give_back(std::uint64_t index) { given_back_.insert(index); }
-    /// All scenarios returned so far, and the number of positions of a range that are kept.
+    /// All scenarios returned so far: those that were given back, and of a range the ones that no
+    /// descent takes any more.
     [[nodiscard]] Recalled given_back() const;
     /// Scenarios that this worker need not answer, because another worker has.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
@@ -107,7 +110,7 @@ class Task {
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
-    std::set<std::uint64_t> given_back_; ///< Indices of returned scenarios of an analysed unit.
+    std::set<std::uint64_t> given_back_; ///< Indices of returned scenarios whose roots were known.
     TaskResults results_;                ///< Results not yet taken.
     TaskPairs pairs_;
     std::size_t walked_ = 0;       ///< Scenarios given to descents so far; 0 if analysed.

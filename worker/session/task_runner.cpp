@@ -9,14 +9,6 @@
 
 namespace cd {
 
-namespace {
-
-bool names(const std::vector<std::uint64_t>& ascending, std::uint64_t scenario) {
-    return std::binary_search(ascending.begin(), ascending.end(), scenario);
-}
-
-} // namespace
-
 TaskRunner::TaskRunner(SessionHub& hub,
                        MasterLink& master,
                        BlockInbox& blocks,
@@ -102,7 +94,7 @@ void TaskRunner::recall(const Recall& recall) {
         return; // The task has ended, and its EndOfTask is in transit.
     }
     const std::vector<Entry> dropped = drop_unbegun([&](const Entry& entry) {
-        return entry.task == recall.task && names(recall.scenarios, task->index_of(entry.scenario));
+        return entry.task == recall.task && task->is_recalled(entry.scenario, recall);
     });
     for (const Entry& entry : dropped) {
         task->give_back(task->index_of(entry.scenario));

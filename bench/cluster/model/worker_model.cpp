@@ -22,7 +22,7 @@ Messages WorkerModel::take(const WorkUnit& unit) {
     results_wait_ = 1e-3 * unit.results_wait_ms;
     task.open = unit.count;
     task.first = unit.first;
-    task.kept = unit.count;
+    task.count = unit.count;
     task.is_range = unit.scenarios.empty();
     if (!task.is_range || (has({0, top_root}) && has({1, top_root}))) {
         return by_tree<WantSubtrees>(begin(unit));
@@ -113,33 +113,20 @@ std::optional<Recalled> WorkerModel::take(const Recall& recall) {
     if (task == tasks_.end()) {
         return std::nullopt;
     }
-    if (task->second.is_range) {
-        return Recalled{recall.task, {}, keep_first(recall.task, recall.kept)};
-    }
-    for (const std::uint64_t scenario : recall.scenarios) {
+    Task& of = task->second;
+    const auto give_back = [&](std::uint64_t scenario) {
         const auto place = scenarios_.find(scenario);
         if (place != scenarios_.end() && place->second.task == recall.task &&
             !place->second.has_begun) {
             drop(scenario);
-            task->second.given_back.insert(scenario);
+            of.given_back.insert(scenario);
         }
+    };
+    std::ranges::for_each(recall.scenarios, give_back);
+    for (std::uint64_t position = of.count; of.is_range && position > recall.kept; --position) {
+        give_back(of.first + position - 1);
     }
-    const auto& given_back = task->second.given_back;
-    return Recalled{recall.task, {given_back.begin(), given_back.end()}, 0};
-}
-
-std::uint64_t WorkerModel::keep_first(TaskId id, std::uint64_t kept) {
-    Task& task = tasks_.at(id);
-    const bool waits = std::ranges::find(ranges_, id, &WorkUnit::task) != ranges_.end();
-    while (!waits && task.kept > kept) {
-        const auto last = scenarios_.find(task.first + task.kept - 1);
-        if (last == scenarios_.end() || last->second.task != id || last->second.has_begun) {
-            break;
-        }
-        --task.kept;
-        drop(task.first + task.kept);
-    }
-    return task.kept;
+    return Recalled{recall.task, {of.given_back.begin(), of.given_back.end()}, of.count};
 }
 
 bool WorkerModel::take(const DropScenario& loser) {

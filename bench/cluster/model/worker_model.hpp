@@ -38,8 +38,8 @@ class WorkerModel {
     /// Returns requests for hinted blocks, when nothing is needed at once, within the product's
     /// limits.
     Messages ahead();
-    /// Returns all returned scenarios of the task, ascending, or the number of first scenarios that
-    /// a range keeps; nothing for a task that has ended, as a worker does.
+    /// Returns all returned scenarios of the task; nothing for a task that has ended, as a worker
+    /// does. Returns no scenario of a range that waits for the upper trees.
     std::optional<Recalled> take(const Recall& recall);
     /// Returns true if the scenario runs here and may stop.
     [[nodiscard]] bool take(const DropScenario& loser);
@@ -77,7 +77,7 @@ class WorkerModel {
         JobId job;
         std::uint64_t open = 0;  ///< Scenarios not yet run.
         std::uint64_t first = 0; ///< Of a range.
-        std::uint64_t kept = 0;  ///< Of a range: number of scenarios that were not returned.
+        std::uint64_t count = 0;
         bool is_range = false;
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
@@ -103,8 +103,6 @@ class WorkerModel {
     std::vector<BlockId> begin(const WorkUnit& unit);
     /// Adds a scenario, and the blocks to request for it.
     void admit(std::uint64_t scenario, TaskId task, std::vector<BlockId>& wanted);
-    /// Returns the last scenarios of a range, up to one that has begun. Returns the number kept.
-    std::uint64_t keep_first(TaskId task, std::uint64_t kept);
     /// Removes a scenario that has not begun from its task.
     void drop(std::uint64_t scenario);
 

@@ -13,9 +13,8 @@ namespace cd {
 /// A recall that the worker has not answered.
 struct PendingRecall {
     TaskId task;
-    std::uint64_t asked = 0; ///< Number of recalled positions.
-    WorkerId helper;         ///< Worker that is to get the returned work.
-    double since = 0;        ///< Time of the recall, s.
+    WorkerId helper;  ///< Worker that is to get the returned work.
+    double since = 0; ///< Time of the recall, s.
 };
 
 /// At most one recall for each asked worker, found by that worker and by the helper.

@@ -155,7 +155,7 @@ TEST_F(TaskTables, RepeatedAnswersAreNotSearchedForInRanges) {
     EXPECT_EQ(two_.tasks.left(), 8u);
 }
 
-TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
+TEST_F(TaskTables, ReturnedPositionsWaitAndAnEmptyReturnMeansTheRestHasBegun) {
     add(job_, 3);
     send(one_, job_, 3);
     const TaskId task = last<SendUnit>().task;
@@ -165,8 +165,11 @@ TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
     EXPECT_EQ(last<UnitsReturned>(), (UnitsReturned{job_.id, 1}));
     EXPECT_EQ(job_.waiting, std::deque<std::uint64_t>{2});
     EXPECT_EQ(job_.at(2).recalls, 1u);
-    EXPECT_TRUE(one_.tasks.at(task).has_begun);
+    EXPECT_FALSE(one_.tasks.at(task).has_begun);
     EXPECT_TRUE(tasks.recalls().all().empty());
+    tasks.ask_back({one_.id(), task, PositionRange{1, 1}}, two_.id(), actions);
+    tasks.take_recalled(one_, task, PositionSet::of({2}), actions);
+    EXPECT_TRUE(one_.tasks.at(task).has_begun);
 }
 
 TEST_F(TaskTables, UnansweredPositionsOfARangeGoOutAgainUnlessTheyAreLost) {

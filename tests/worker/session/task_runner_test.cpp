@@ -290,6 +290,19 @@ TEST_F(DistanceRunner, ReturnsARecalledScenarioThatWaitsForItsSecondLook) {
     EXPECT_EQ(master.all<EndOfTask>().size(), 1u);
 }
 
+TEST_F(DistanceRunner, ReturnsARecalledScenarioOfARangeThatWaitsForItsSecondLook) {
+    const std::uint64_t index = add_for_second_look(true);
+    tasks.recall({task, {}, 1});
+    tasks.recall({task, {}, 0});
+    const auto recalled = master.all<Recalled>();
+    ASSERT_EQ(recalled.size(), 2u);
+    EXPECT_THAT(recalled[0].scenarios, IsEmpty()) << "the first is kept";
+    EXPECT_EQ(recalled[1].scenarios, std::vector{index});
+    run_to_the_end();
+    EXPECT_THAT(answered(), IsEmpty());
+    EXPECT_EQ(master.all<EndOfTask>().size(), 1u);
+}
+
 TEST_F(DistanceRunner, ReturnsAScenarioThatWaitsForItsSecondLookWhenItStops) {
     add_for_second_look(true);
     tasks.stop();

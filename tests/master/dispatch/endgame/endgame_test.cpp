@@ -33,7 +33,7 @@ TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
     const TaskId task = give(4);
     endgame.help(0, actions);
     EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, PositionRange{2, 2}}));
-    EXPECT_EQ(tasks.recalls().all().at(one_.id()).asked, 2u);
+    EXPECT_EQ(tasks.recalls().all().at(one_.id()).task, task);
 }
 
 TEST_F(Endgames, StragglersAreSearchedOnceInAPeriod) {

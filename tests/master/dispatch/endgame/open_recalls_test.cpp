@@ -15,8 +15,8 @@ TEST(Recalls, AreFoundByBothWorkers) {
     OpenRecalls recalls;
     EXPECT_EQ(recalls.find(slow), nullptr);
     EXPECT_FALSE(recalls.is_awaited_by(idle, 0));
-    recalls.add(slow, {TaskId{7}, 5, idle, 10});
-    recalls.add(slower, {TaskId{8}, 5, idle, 20});
+    recalls.add(slow, {TaskId{7}, idle, 10});
+    recalls.add(slower, {TaskId{8}, idle, 20});
     ASSERT_NE(recalls.find(slow), nullptr);
     EXPECT_EQ(recalls.find(slow)->task, TaskId{7});
     EXPECT_TRUE(recalls.is_awaited_by(idle, 19));
@@ -32,8 +32,8 @@ TEST(Recalls, AreFoundByBothWorkers) {
 
 TEST(Recalls, ANewOneTakesThePlaceOfTheWorkersLast) {
     OpenRecalls recalls;
-    recalls.add(slow, {TaskId{7}, 5, idle, 10});
-    recalls.add(slow, {TaskId{8}, 5, other, 20});
+    recalls.add(slow, {TaskId{7}, idle, 10});
+    recalls.add(slow, {TaskId{8}, other, 20});
     EXPECT_FALSE(recalls.is_awaited_by(idle, 0));
     EXPECT_TRUE(recalls.is_awaited_by(other, 0));
     EXPECT_EQ(recalls.all().size(), 1u);

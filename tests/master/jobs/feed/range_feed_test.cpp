@@ -128,11 +128,15 @@ TEST_F(RangeFeedTest, ReturnedPositionsGoOutAgainWithoutALoss) {
     MasterJob& job = open_grid();
     const WorkerId worker = join(70, 90);
     ranges_.give(job);
-    services.tasks.recalled(worker, Recalled{last_range().task, {}, 60});
+    const TaskId first = last_range().task;
+    services.tasks.recalled(worker, Recalled{first, {}, 60});
     EXPECT_EQ(job.tally.help.recalled, 30u);
     EXPECT_EQ(job.work()->todo.left(), 0u);
     EXPECT_EQ(last_range().positions, (PositionRange{60, 30}));
     EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
+    // Of the first range also two from its middle; the third that it names is not its own.
+    services.tasks.recalled(worker, Recalled{first, {3, 50, 70}, 60});
+    EXPECT_EQ(job.tally.help.recalled, 32u);
 }
 
 TEST_F(RangeFeedTest, WithdrawnScenariosAreQueuedOnce) {
