@@ -13,8 +13,9 @@
 namespace cd {
 
 /// Joins the blocks of a tree after many descents of it with all blocks cached, and adds support
-/// points after many more, so that short jobs do not pay for either. A joined tree is valid for one
-/// snapshot of the blocks (`SubtreeCache::snapshot`). Not thread-safe.
+/// points after many more, so that short jobs do not pay for either. A joined tree belongs to one
+/// snapshot of the blocks (`SubtreeCache::snapshot`), which a parked tree keeps: later jobs with
+/// the same bodies use it again. Not thread-safe.
 class JoinedTrees {
   public:
     using Blocks = std::shared_ptr<const PartialObbTree>;
@@ -22,7 +23,6 @@ class JoinedTrees {
 
     /// The work of joining the blocks of a tree, or of adding support points to the joined tree.
     struct Step {
-        TreeId tree;
         Blocks blocks; ///< All blocks of the tree, in the wide form.
         Joined joined; ///< The tree that gets support points; null if the blocks are to be joined.
 
@@ -31,15 +31,17 @@ class JoinedTrees {
         [[nodiscard]] Joined run() const;
     };
 
-    /// Counts a descent of a tree with these blocks. Returns the next step if it is due and the
-    /// joined tree fits into about `room` bytes. Returns no other step before `end`.
-    [[nodiscard]] std::optional<Step> count(TreeId tree, const Blocks& blocks, std::uint64_t room);
-    /// Ends a step. Stores the joined tree unless the blocks have changed in the meantime.
+    /// Counts a descent of a tree with these blocks. Returns the next step if it is due and all
+    /// joined trees take about `bytes_max` bytes at most; drops those that no descent has used
+    /// lately to get there. Returns no other step before `end`.
+    [[nodiscard]] std::optional<Step> count(const Blocks& blocks, std::uint64_t bytes_max);
+    /// Ends a step. Stores the joined tree unless `keep_within` has dropped its blocks' entry.
     void end(const Step& step, Joined joined);
     /// The joined tree of these blocks; null if there is none.
-    [[nodiscard]] Joined find(TreeId tree, const Blocks& blocks) const;
-    /// Drops joined trees whose blocks have changed, and all if they take more than `bytes`.
-    void keep_within(std::uint64_t bytes);
+    [[nodiscard]] Joined find(const Blocks& blocks) const;
+    /// Drops joined trees of released blocks, then the least recently used ones until the others
+    /// take at most `bytes_max`.
+    void keep_within(std::uint64_t bytes_max);
     [[nodiscard]] std::uint64_t bytes() const; ///< Memory of the joined trees.
 
   private:
@@ -47,14 +49,19 @@ class JoinedTrees {
         std::weak_ptr<const PartialObbTree> blocks;
         bool is_joinable = false; ///< No block is missing, and all have the wide form.
         std::uint32_t descents = 0;
-        bool is_under_way = false; ///< A step has begun.
-        Joined joined;             ///< Null before the first step has ended.
+        std::uint64_t last_use = 0; ///< The value of `descents_` at the last descent.
+        bool is_under_way = false;  ///< A step has begun.
+        Joined joined;              ///< Null before the first step has ended.
     };
+    using Entries = std::map<const PartialObbTree*, Entry>;
 
-    /// Returns the entry of a tree, and replaces it by a new one if the blocks have changed.
-    Entry& entry_of(TreeId tree, const Blocks& blocks);
+    /// Returns the entry of the blocks; makes one if there is none.
+    Entry& entry_of(const Blocks& blocks);
+    /// The joined tree whose last use is longest ago; the end if there is none.
+    [[nodiscard]] Entries::iterator least_recently_used();
 
-    std::map<TreeId, Entry> entries_;
+    Entries entries_;            ///< A released tree's entry may be at the address of another tree.
+    std::uint64_t descents_ = 0; ///< Of all trees.
 };
 
 } // namespace cd

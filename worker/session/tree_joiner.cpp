@@ -8,10 +8,10 @@ void TreeJoiner::prepare(Walk& walk) {
     const std::uint64_t left = cache_.bytes_max() - std::min(cache_.bytes(), cache_.bytes_max());
     trees_.keep_within(left);
     for (const auto& [tree, blocks] : walk.trees) {
-        if (auto joined = trees_.find(tree, blocks)) {
+        if (auto joined = trees_.find(blocks)) {
             walk.joined.emplace(tree, std::move(joined));
         }
-        if (const auto step = trees_.count(tree, blocks, left - trees_.bytes())) {
+        if (const auto step = trees_.count(blocks, left)) {
             start(*step);
         }
     }

@@ -52,6 +52,7 @@ std::vector<Case> cases(bool is_quick) {
     }
     // Ten times as many hosts.
     all.push_back({10'000, 0.1, result_now, 4'000'000});
+    all.push_back({10'000, 0.1, result_now, 16'000'000});
     return all;
 }
 

@@ -158,7 +158,8 @@ void Joiner::add_subtree(RootIndex root, bool is_double) {
     const auto blocks = static_cast<std::uint32_t>(arrays_->vertex_begin.size() - 1);
     // Node i > 0 of the subtree moves to `others` + i; node 0 moves to the root's place.
     const auto others = static_cast<std::uint32_t>(nodes.size()) - 1;
-    const auto moved = [&](WideNode node) {
+    const auto moved = [&](const WideNode& from) {
+        WideNode node = from;
         node.first += node.is_leaf ? blocks : others;
         return node;
     };

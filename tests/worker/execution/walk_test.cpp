@@ -77,7 +77,7 @@ class Sweep {
   private:
     static JoinedTrees::Joined join(const PartialObbTree& tree) {
         const auto blocks = std::make_shared<const PartialObbTree>(tree);
-        return JoinedTrees::Step{{}, blocks, nullptr}.run();
+        return JoinedTrees::Step{blocks, nullptr}.run();
     }
     static std::vector<Scenario> scenarios() {
         std::vector<Scenario> all;

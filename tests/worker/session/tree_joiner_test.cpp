@@ -1,4 +1,5 @@
-// Proves that descents receive joined trees once a thread has made them, if the cache leaves room.
+// Proves that descents receive joined trees once a thread has made them, if the cache leaves room,
+// and that a later job with the same body receives them at once.
 #include "worker/session/tree_joiner.hpp"
 
 #include "common/core/limits/worker.hpp"
@@ -50,6 +51,15 @@ TEST_F(TreeJoinerTest, ADescentGetsTheJoinedTree) {
     const Walk walk = after_descents(joiner, cache);
     ASSERT_TRUE(walk.joined.contains(tree_a));
     EXPECT_FALSE(walk.joined.at(tree_a)->view().nodes.empty());
+
+    const TreeId again{9};
+    cache.park(tree_a);
+    ASSERT_TRUE(cache.add_tree(bodies().a.add(again)));
+    Walk later = walk;
+    later.trees = {{again, cache.snapshot(again)}};
+    later.joined.clear();
+    joiner.prepare(later);
+    EXPECT_EQ(later.joined.at(again), walk.joined.at(tree_a));
 }
 
 TEST_F(TreeJoinerTest, AFullCacheLeavesNoRoom) {
