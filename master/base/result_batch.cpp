@@ -19,6 +19,12 @@ void ResultBatch::add(const ScenarioResult& result) {
     finish(result.index, facts_of(result), begin);
 }
 
+void ResultBatch::add_settled(const ScenarioResult& result, std::span<const std::byte> record) {
+    const std::size_t begin = stored_.size();
+    put_settled(stored_, result, record);
+    finish(result.index, facts_of(result), begin);
+}
+
 void ResultBatch::add(std::uint64_t scenario,
                       const ScenarioFacts& facts,
                       std::span<const std::byte> record) {

@@ -34,6 +34,8 @@ class ResultBatch {
     void reserve(std::size_t results);
     /// Adds a result, and encodes its record.
     void add(const ScenarioResult& result);
+    /// Adds a result that was settled after it came with this canonical record (`put_settled`).
+    void add_settled(const ScenarioResult& result, std::span<const std::byte> record);
     /// Adds a result by its canonical record.
     void add(std::uint64_t scenario, const ScenarioFacts& facts, std::span<const std::byte> record);
     /// Returns the batch without the results at these places, which ascend.

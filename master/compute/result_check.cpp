@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -149,11 +148,6 @@ const char* problem_of_result(const JobMaterial& material,
     return problem != nullptr ? problem : problem_of_distance(material, result);
 }
 
-/// What settling may change of a result.
-auto settled_part(const ScenarioResult& result) {
-    return std::tuple(result.kind, result.surfaces_only, result.insides_skipped);
-}
-
 /// Checks and settles a record, and adds it to `taken`. Leaves the decoded result in `result`.
 Status take_record(const JobMaterial& material,
                    const TaskIndex& scenarios,
@@ -172,13 +166,8 @@ Status take_record(const JobMaterial& material,
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) + " " + problem};
     }
-    const auto before = settled_part(result);
     const InsideStatistics inside = material.settler->settle(scenario, result);
-    if (settled_part(result) == before) {
-        taken.results.add(result.index, facts_of(result), bytes);
-    } else {
-        taken.results.add(result);
-    }
+    taken.results.add_settled(result, bytes);
     taken.positions_of_rows.push_back(
         mutated(Mutation::IndexTakenForPosition) ? result.index : found->placed.position);
     taken.cost.inside += inside;

@@ -205,13 +205,17 @@ class Unpacker {
 bool Unpacker::get_pairs(std::uint32_t count) {
     a_.resize(count);
     b_.resize(count);
-    ColumnReader b_step = columns_[b_steps]; // A local copy stays in registers.
+    // Local copies stay in registers.
+    ColumnReader a_step = columns_[a_steps];
+    ColumnReader first_b_step = columns_[first_b_steps];
+    ColumnReader run_length = columns_[run_lengths];
+    ColumnReader b_step = columns_[b_steps];
     std::uint32_t a = 0;
     std::uint32_t b_first = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        a += static_cast<std::uint32_t>(columns_[a_steps].get_number());
-        b_first += static_cast<std::uint32_t>(unzigzag(columns_[first_b_steps].get_number()));
-        const std::uint64_t more = columns_[run_lengths].get_number();
+        a += static_cast<std::uint32_t>(a_step.get_number());
+        b_first += static_cast<std::uint32_t>(unzigzag(first_b_step.get_number()));
+        const std::uint64_t more = run_length.get_number();
         if (more >= count - i) {
             return false;
         }
@@ -225,6 +229,9 @@ bool Unpacker::get_pairs(std::uint32_t count) {
             b_[i] = b;
         }
     }
+    columns_[a_steps] = a_step;
+    columns_[first_b_steps] = first_b_step;
+    columns_[run_lengths] = run_length;
     columns_[b_steps] = b_step;
     return !has_failed();
 }

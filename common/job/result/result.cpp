@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/job/result/canonical_numbers.hpp"
 #include "common/job/result/result_sense.hpp"
 
@@ -369,6 +370,11 @@ void put_result(ByteWriter& out, const ScenarioResult& result) {
         put_shared_points(out, result);
         put_numbers(out, result.near_distances);
     }
+}
+
+void put_settled(ByteWriter& out, const ScenarioResult& result, std::span<const std::byte> record) {
+    put_head(out, result);
+    put_bytes(out, record.subspan(bytes_of_head(result)));
 }
 
 Bytes encode_result(const ScenarioResult& result) {

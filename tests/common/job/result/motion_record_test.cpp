@@ -144,6 +144,16 @@ TEST(MotionRecord, ComesBackToTheSameResult) {
     }
 }
 
+TEST(MotionRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
+    for (ScenarioResult result : examples()) {
+        const Bytes before = encode_result(result);
+        result.surfaces_only = !result.surfaces_only;
+        ByteWriter settled;
+        put_settled(settled, result, before);
+        EXPECT_EQ(settled.bytes(), encode_result(result));
+    }
+}
+
 TEST(MotionRecord, TellsAtWhichInstantItsAnswerHolds) {
     EXPECT_EQ(passing().motion->event(), std::nullopt);
     EXPECT_EQ(hitting().motion->event(), 4u);

@@ -142,6 +142,16 @@ TEST(NearRecord, ComesBackToTheSameResultAtEachLevel) {
     }
 }
 
+TEST(NearRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
+    for (ScenarioResult result : examples()) {
+        const Bytes before = encode_result(result);
+        result.surfaces_only = !result.surfaces_only;
+        ByteWriter settled;
+        put_settled(settled, result, before);
+        EXPECT_EQ(settled.bytes(), encode_result(result));
+    }
+}
+
 TEST(NearRecord, DigestsAreTheGoldenOnes) {
     // These stand for all stored results: another value means another version of the record.
     EXPECT_EQ(to_short_hex(digest_of(near_at_level_any())), "0341ff9eadf2307b");

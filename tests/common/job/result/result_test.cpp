@@ -120,6 +120,16 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
     }
 }
 
+TEST(Result, ASettledResultHasTheRecordThatItsEncodingGives) {
+    for (ScenarioResult result : examples()) {
+        const Bytes before = encode_result(result);
+        result.surfaces_only = !result.surfaces_only;
+        ByteWriter settled;
+        put_settled(settled, result, before);
+        EXPECT_EQ(settled.bytes(), encode_result(result));
+    }
+}
+
 TEST(Result, ADecodedResultHasNothingOfTheOneBefore) {
     std::vector<ScenarioResult> all = examples();
     for (const auto& others : {distance_results(), near_results(Level::Contacts)}) {

@@ -93,6 +93,16 @@ TEST(SceneRecord, KeepsItsStep) {
     }
 }
 
+TEST(SceneRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
+    for (ScenarioResult result : examples()) {
+        const Bytes before = encode_result(result);
+        result.surfaces_only = !result.surfaces_only;
+        ByteWriter settled;
+        put_settled(settled, result, before);
+        EXPECT_EQ(settled.bytes(), encode_result(result));
+    }
+}
+
 TEST(SceneRecord, OfTwoBodiesStaysAsItWas) {
     ScenarioResult result = touching(0);
     result.step.reset();
