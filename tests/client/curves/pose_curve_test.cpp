@@ -99,7 +99,8 @@ TEST(PoseCurve, AStraightLineHasTwoKeys) {
     // A hinge turns where it is.
     CurvePhase hinge = screw();
     hinge.velocity = Vec3::Zero();
-    for (const Pose& pose : keys_along({hinge}, 1, 1e-3).value().poses) {
+    const CurveKeys turn = keys_along({hinge}, 1, 1e-3).value();
+    for (const Pose& pose : turn.poses) {
         EXPECT_EQ(pose.translation(), Vec3::Zero());
     }
 }
