@@ -116,7 +116,8 @@ TEST_P(EndOfJob, CopiesReplaceTheScenariosOfAStoppedHost) {
     std::uint64_t copies_won = 0;
     for (int i = 0; i < jobs_tried && copies_won == 0; ++i) {
         submit_job();
-        // The stopped worker has fewer scenarios than may get copies; a job with more would wait.
+        // At most 5 % of a job may get copies. If the stopped worker had more scenarios than that,
+        // the job would wait for it.
         progress(0.96);
         workers_[1]->signal(SIGSTOP);
         copies_won = expect_right().copies_won;

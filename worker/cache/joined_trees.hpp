@@ -31,9 +31,9 @@ class JoinedTrees {
         [[nodiscard]] Joined run() const;
     };
 
-    /// Counts a descent of a tree with these blocks. Returns the next step if it is due and all
-    /// joined trees take about `bytes_max` bytes at most; drops those that no descent has used
-    /// lately to get there. Returns no other step before `end`.
+    /// Counts a descent of a tree with these blocks. Returns the next step if it is due and fits
+    /// into about `bytes_max` bytes beside the other joined trees. To make room, drops the ones
+    /// that no recent descent has used. Returns no other step before `end`.
     [[nodiscard]] std::optional<Step> count(const Blocks& blocks, std::uint64_t bytes_max);
     /// Ends a step. Stores the joined tree unless `keep_within` has dropped its blocks' entry.
     void end(const Step& step, Joined joined);
@@ -60,7 +60,7 @@ class JoinedTrees {
     /// The joined tree whose last use is longest ago; the end if there is none.
     [[nodiscard]] Entries::iterator least_recently_used();
 
-    Entries entries_;            ///< A released tree's entry may be at the address of another tree.
+    Entries entries_;            ///< Once its tree is released, a new tree may get its address.
     std::uint64_t descents_ = 0; ///< Of all trees.
 };
 

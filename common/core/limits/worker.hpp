@@ -16,7 +16,7 @@ inline constexpr std::size_t walked_waiting_max = 4096;
 /// of which it holds all, and after which it adds support points.
 inline constexpr std::uint32_t join_descents_min = 30;
 inline constexpr std::uint32_t points_descents_min = 1500;
-/// A joined tree that so many descents of other trees have not used may make room for another.
+/// A joined tree may be dropped for another one after this many descents that did not use it.
 inline constexpr std::uint64_t joined_unused_descents = 3000;
 /// Number of searches of joined trees that a job keeps for further descents.
 inline constexpr std::size_t joined_searches_max = 64;

@@ -126,7 +126,7 @@ struct ScenarioResult : ScenarioHead {
 /// Appends the canonical record to `out`.
 void put_result(ByteWriter& out, const ScenarioResult& result);
 /// Appends the canonical record of a result that differs from the result of `record` only in what
-/// `Settler::settle` changes. Copies all after the head, which is quicker than `put_result`.
+/// `Settler::settle` changes. Copies the bytes after the head, so it is faster than `put_result`.
 void put_settled(ByteWriter& out, const ScenarioResult& result, std::span<const std::byte> record);
 /// Appends the canonical record to `out`, after its length as u32.
 void put_record(ByteWriter& out, const ScenarioResult& result);

@@ -61,7 +61,7 @@ PositionSet SpeculativeCopies::positions_to_copy(const WorkerProxy& from,
                                   context_.pace.positions_per_second(from, job);
     const auto batch = static_cast<std::uint64_t>(timing::batch_seconds_start *
                                                   context_.pace.positions_per_second(helper, job));
-    // A task without analysis has one run of positions, and answers may have left several.
+    // A range is sent as one run of positions, so only the last unanswered run is copied.
     return PositionSet(candidates.runs().back())
         .last(std::min({job.copies.left_ns() / context_.pace.mean_cost_of(1),
                         std::max<std::uint64_t>(batch, helper.facts().threads),

@@ -210,7 +210,7 @@ TEST(ClusterModels, ARangeKeepsItsFirstScenariosAndThoseThatHaveBegun) {
     const Workload workload = make_synthetic_workload(2, 6);
     WorkerModel worker(WorkerId{1}, workload);
     const Messages tops = worker.take(range_of(0, 6));
-    EXPECT_TRUE(worker.take(Recall{TaskId{9}, {}, 1})->scenarios.empty()) << "it waits";
+    EXPECT_TRUE(worker.take(Recall{TaskId{9}, {}, 1})->scenarios.empty()) << "no upper tree";
     Messages asked;
     for (const Subtrees& top : answers(tops)) {
         asked = worker.opened(top);

@@ -1,5 +1,6 @@
 // Proves that trees with all blocks cached are joined after enough descents and get support points
-// later, that this needs room, and that a joined tree belongs to one set of blocks.
+// later, that this needs room, for which unused joined trees are dropped, and that a joined tree
+// belongs to one set of blocks.
 #include "worker/cache/joined_trees.hpp"
 
 #include "common/core/limits/worker.hpp"

@@ -2,6 +2,7 @@
 // golden ones, and records that no search gives are refused.
 
 #include "common/job/result/result.hpp"
+#include "tests/common/job/result/settled_records.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -145,13 +146,7 @@ TEST(MotionRecord, ComesBackToTheSameResult) {
 }
 
 TEST(MotionRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
-    for (ScenarioResult result : examples()) {
-        const Bytes before = encode_result(result);
-        result.surfaces_only = !result.surfaces_only;
-        ByteWriter settled;
-        put_settled(settled, result, before);
-        EXPECT_EQ(settled.bytes(), encode_result(result));
-    }
+    expect_settled_records(examples());
 }
 
 TEST(MotionRecord, TellsAtWhichInstantItsAnswerHolds) {

@@ -6,6 +6,7 @@
 #include "common/job/result/packed_records.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/result/result_sense.hpp"
+#include "tests/common/job/result/settled_records.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -143,13 +144,7 @@ TEST(NearRecord, ComesBackToTheSameResultAtEachLevel) {
 }
 
 TEST(NearRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
-    for (ScenarioResult result : examples()) {
-        const Bytes before = encode_result(result);
-        result.surfaces_only = !result.surfaces_only;
-        ByteWriter settled;
-        put_settled(settled, result, before);
-        EXPECT_EQ(settled.bytes(), encode_result(result));
-    }
+    expect_settled_records(examples());
 }
 
 TEST(NearRecord, DigestsAreTheGoldenOnes) {

@@ -4,6 +4,7 @@
 #include "common/job/result/result.hpp"
 
 #include "common/job/result/merge.hpp"
+#include "tests/common/job/result/settled_records.hpp"
 #include "tests/support/distance_results.hpp"
 #include "tests/support/near_results.hpp"
 
@@ -121,13 +122,7 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
 }
 
 TEST(Result, ASettledResultHasTheRecordThatItsEncodingGives) {
-    for (ScenarioResult result : examples()) {
-        const Bytes before = encode_result(result);
-        result.surfaces_only = !result.surfaces_only;
-        ByteWriter settled;
-        put_settled(settled, result, before);
-        EXPECT_EQ(settled.bytes(), encode_result(result));
-    }
+    expect_settled_records(examples());
 }
 
 TEST(Result, ADecodedResultHasNothingOfTheOneBefore) {

@@ -3,6 +3,7 @@
 
 #include "common/job/result/merge.hpp"
 #include "common/job/result/result.hpp"
+#include "tests/common/job/result/settled_records.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gmock/gmock.h>
@@ -94,13 +95,7 @@ TEST(SceneRecord, KeepsItsStep) {
 }
 
 TEST(SceneRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
-    for (ScenarioResult result : examples()) {
-        const Bytes before = encode_result(result);
-        result.surfaces_only = !result.surfaces_only;
-        ByteWriter settled;
-        put_settled(settled, result, before);
-        EXPECT_EQ(settled.bytes(), encode_result(result));
-    }
+    expect_settled_records(examples());
 }
 
 TEST(SceneRecord, OfTwoBodiesStaysAsItWas) {
