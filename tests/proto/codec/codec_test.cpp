@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "4cdbf3fda93a2f4a"},
-    {"welcome", 116, "8b23ab9d71c9e695"},
+    {"hello", 95, "ffb636c52f0101b3"},
+    {"welcome", 116, "6d9ff3ab184b1c76"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
