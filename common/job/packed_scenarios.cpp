@@ -308,6 +308,14 @@ std::uint64_t PackedScenarios::index_at(std::uint64_t i) const {
     return run.index_least + ByteReader(bytes_of(run, i, 1)).get<std::uint32_t>();
 }
 
+ScenarioBodies PackedScenarios::bodies_at(std::uint64_t i) const {
+    const Run& run = runs_[run_of(i)];
+    ByteReader in(bytes_of(run, i, 1));
+    (void)in.get<std::uint32_t>(); // The index.
+    const auto step = have_steps(run.forms) ? std::optional(in.get<std::uint64_t>()) : std::nullopt;
+    return {run.body_a, run.body_b, step};
+}
+
 Result<Scenario> PackedScenarios::at(std::uint64_t i) const {
     const Run& run = runs_[run_of(i)];
     ByteReader in(bytes_of(run, i, 1));

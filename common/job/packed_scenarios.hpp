@@ -36,6 +36,15 @@ namespace cd {
 [[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,
                                                              std::uint64_t count_max);
 
+/// The bodies and step of a packed scenario, which are found without unpacking its poses.
+struct ScenarioBodies {
+    std::uint32_t a = 0;
+    std::uint32_t b = 1;
+    std::optional<std::uint64_t> step = {};
+
+    friend bool operator==(const ScenarioBodies&, const ScenarioBodies&) = default;
+};
+
 /// A packed list whose runs are known, so that each scenario is found by its place in the list. A
 /// pose is checked when it is read.
 class PackedScenarios {
@@ -50,6 +59,8 @@ class PackedScenarios {
     [[nodiscard]] const Bytes& bytes() const { return bytes_; }
     /// The index, as submitted, of scenario number i of the list, which must exist.
     [[nodiscard]] std::uint64_t index_at(std::uint64_t i) const;
+    /// The bodies and step of scenario number i of the list, which must exist.
+    [[nodiscard]] ScenarioBodies bodies_at(std::uint64_t i) const;
     /// Unpacks scenario number i of the list, which must exist. Errors: BadInput naming a scenario
     /// whose pose is not finite or whose quaternion is zero.
     [[nodiscard]] Result<Scenario> at(std::uint64_t i) const;

@@ -9,6 +9,7 @@
 #include "master/base/mutation.hpp"
 #include "master/compute/hit_check.hpp"
 #include "master/compute/motion_check.hpp"
+#include "master/compute/placed_scenario.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -19,10 +20,11 @@ namespace cd {
 
 namespace {
 
-/// A scenario of a task, and the cost of its analysis on the master.
+/// A scenario of a task, without its poses.
 struct TaskScenario {
-    PlacedScenario placed;
-    const JobStatistics* cost = nullptr; ///< Null if it was not analysed.
+    std::uint64_t position = 0; ///< In the job's hand-out order.
+    ScenarioBodies bodies;
+    const Analysis* analysis = nullptr; ///< Null in a range.
 };
 
 /// Finds a task's scenarios by index.
@@ -36,15 +38,24 @@ class TaskIndex {
 
     [[nodiscard]] std::optional<TaskScenario> find(std::uint64_t index) const {
         if (task_.range) {
-            const auto placed = task_.range->find(index);
-            return placed ? std::optional(TaskScenario{*placed, nullptr}) : std::nullopt;
+            const auto position = task_.range->position_of(index);
+            return position ? std::optional(TaskScenario{
+                                  *position, task_.range->bodies_at(*position), nullptr})
+                            : std::nullopt;
         }
         const auto found = analyses_.find(index);
         if (found == analyses_.end()) {
             return std::nullopt;
         }
         const Analysis& analysis = *found->second;
-        return TaskScenario{{analysis.scenario, analysis.position}, &analysis.cost};
+        const Scenario& scenario = analysis.scenario;
+        return TaskScenario{
+            analysis.position, {scenario.body_a, scenario.body_b, scenario.step}, &analysis};
+    }
+
+    [[nodiscard]] Scenario with_poses(const TaskScenario& found) const {
+        return found.analysis != nullptr ? found.analysis->scenario
+                                         : task_.range->scenario_at(found.position);
     }
 
   private:
@@ -65,13 +76,13 @@ bool are_triangles_of(const JobMaterial& material,
 
 /// Returns what is wrong with the level, bodies, question or clearance of a decoded result; null if
 /// nothing.
-const char*
-problem_of_question(const Query& query, const Scenario& scenario, const ScenarioResult& result) {
-    if (result.level != query.level || result.body_a != scenario.body_a ||
-        result.body_b != scenario.body_b) {
+const char* problem_of_question(const Query& query,
+                                const ScenarioBodies& bodies,
+                                const ScenarioResult& result) {
+    if (result.level != query.level || result.body_a != bodies.a || result.body_b != bodies.b) {
         return "is not of the level or bodies asked for";
     }
-    if (result.step != scenario.step) {
+    if (result.step != bodies.step) {
         return "is of another step than its scenario";
     }
     if (result.question != query.question) {
@@ -133,12 +144,12 @@ const char* problem_of_distance(const JobMaterial& material, const ScenarioResul
     return query.up_to && nearest.distance > *query.up_to ? "has a distance above up_to" : nullptr;
 }
 
-/// Returns what is wrong with a decoded result of this scenario; null if nothing.
-const char* problem_of_result(const JobMaterial& material,
+/// Returns what is wrong with the answer of a decoded result to its scenario; null if nothing.
+/// Poses of the scenario are only read for motions.
+const char* problem_of_answer(const JobMaterial& material,
                               const Scenario& scenario,
                               const ScenarioResult& result) {
-    const char* problem = problem_of_question(material.query, scenario, result);
-    problem = problem != nullptr ? problem : problem_of_pairs(material, result);
+    const char* problem = problem_of_pairs(material, result);
     if (problem == nullptr && result.question == Question::Shots) {
         return problem_of_hits(material, result);
     }
@@ -161,18 +172,30 @@ Status take_record(const JobMaterial& material,
                      "a result of scenario " + std::to_string(result.index) +
                          ", which is not in the task"};
     }
-    const Scenario& scenario = found->placed.scenario;
-    if (const char* problem = problem_of_result(material, scenario, result)) {
+    const auto wrong = [&](const char* problem) {
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) + " " + problem};
+    };
+    if (const char* problem = problem_of_question(material.query, found->bodies, result)) {
+        return wrong(problem);
+    }
+    // Finding the poses of every scenario would cost the master an eighth more at level count.
+    const bool needs_poses =
+        result.question == Question::Motion || material.settler->is_work(result);
+    const Scenario scenario =
+        needs_poses
+            ? scenarios.with_poses(*found)
+            : Scenario{result.index, found->bodies.a, found->bodies.b, {}, found->bodies.step};
+    if (const char* problem = problem_of_answer(material, scenario, result)) {
+        return wrong(problem);
     }
     const InsideStatistics inside = material.settler->settle(scenario, result);
     taken.results.add_settled(result, bytes);
-    taken.positions_of_rows.push_back(
-        mutated(Mutation::IndexTakenForPosition) ? result.index : found->placed.position);
+    taken.positions_of_rows.push_back(mutated(Mutation::IndexTakenForPosition) ? result.index
+                                                                               : found->position);
     taken.cost.inside += inside;
-    if (found->cost != nullptr) {
-        taken.cost += *found->cost;
+    if (found->analysis != nullptr) {
+        taken.cost += found->analysis->cost;
     }
     return Done{};
 }

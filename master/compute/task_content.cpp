@@ -16,19 +16,19 @@ std::optional<std::uint64_t> RangeContent::position_of(std::uint64_t index) cons
     return is_here ? std::optional(position) : std::nullopt;
 }
 
-std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
-    const std::optional<std::uint64_t> position = position_of(index);
-    if (!position) {
-        return std::nullopt;
-    }
+ScenarioBodies RangeContent::bodies_at(std::uint64_t position) const {
+    return window == nullptr ? ScenarioBodies{} : window->bodies_at(position);
+}
+
+Scenario RangeContent::scenario_at(std::uint64_t position) const {
     if (window == nullptr) {
-        return PlacedScenario{scenario_on(*order->grid(), index), *position};
+        return scenario_on(*order->grid(), position); // On a grid, position and index are equal.
     }
     // `PoseSpool` has checked the pose: when it came or when the master started, and its checksum
     // when it was read.
-    const Result<Scenario> scenario = window->at(*position);
+    const Result<Scenario> scenario = window->at(position);
     CD_CHECK(scenario);
-    return PlacedScenario{scenario.value(), *position};
+    return scenario.value();
 }
 
 WorkUnit TaskContent::unit(TaskId task) const {

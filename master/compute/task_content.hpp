@@ -10,7 +10,6 @@
 #include "common/job/trees_by_body.hpp"
 #include "master/base/position_set.hpp"
 #include "master/compute/analyser.hpp"
-#include "master/compute/placed_scenario.hpp"
 #include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
@@ -42,8 +41,10 @@ struct RangeContent {
 
     /// The position of the scenario with this index; empty if it is not in the range.
     [[nodiscard]] std::optional<std::uint64_t> position_of(std::uint64_t index) const;
-    /// The scenario with this index; empty if it is not in the range.
-    [[nodiscard]] std::optional<PlacedScenario> find(std::uint64_t index) const;
+    /// The bodies and step of the scenario at a position of the range.
+    [[nodiscard]] ScenarioBodies bodies_at(std::uint64_t position) const;
+    /// The scenario at a position of the range.
+    [[nodiscard]] Scenario scenario_at(std::uint64_t position) const;
 };
 
 /// The scenarios of a task, and the data to check their results.

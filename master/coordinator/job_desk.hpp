@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "master/compute/placed_scenario.hpp"
 #include "master/coordinator/explainer.hpp"
 #include "master/coordinator/master_services.hpp"
 #include "master/coordinator/master_state.hpp"

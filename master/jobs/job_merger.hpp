@@ -1,6 +1,7 @@
 // Merges results into their job and writes them to the journal.
 #pragma once
 
+#include "master/compute/placed_scenario.hpp"
 #include "master/compute/result_check.hpp"
 #include "master/jobs/job_life.hpp"
 #include "master/jobs/thread_meter.hpp"

@@ -3,6 +3,7 @@
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/timing/master.hpp"
 #include "master/base/run_on.hpp"
+#include "master/compute/placed_scenario.hpp"
 #include "master/compute/search_effort.hpp"
 #include "master/coordinator/coordinator.hpp"
 

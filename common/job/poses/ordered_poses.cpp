@@ -51,6 +51,11 @@ std::uint64_t PoseWindow::index_at(std::uint64_t position) const {
     return runs_[from / limits::pose_run_scenarios].index_at(from % limits::pose_run_scenarios);
 }
 
+ScenarioBodies PoseWindow::bodies_at(std::uint64_t position) const {
+    const std::uint64_t from = position - first_;
+    return runs_[from / limits::pose_run_scenarios].bodies_at(from % limits::pose_run_scenarios);
+}
+
 Result<Scenario> PoseWindow::at(std::uint64_t position) const {
     const std::uint64_t from = position - first_;
     return runs_[from / limits::pose_run_scenarios].at(from % limits::pose_run_scenarios);

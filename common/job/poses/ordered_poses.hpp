@@ -61,6 +61,7 @@ class PoseWindow {
         return first_ + positions_[index - first_];
     }
     [[nodiscard]] std::uint64_t index_at(std::uint64_t position) const;
+    [[nodiscard]] ScenarioBodies bodies_at(std::uint64_t position) const;
     /// Unpacks the scenario at a position. Errors: those of `PackedScenarios::at`.
     [[nodiscard]] Result<Scenario> at(std::uint64_t position) const;
     /// Packs the scenarios at the positions as `pack_scenarios` does, without unpacking them.

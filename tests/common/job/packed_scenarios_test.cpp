@@ -107,6 +107,9 @@ TEST(PackedScenarios, GiveEachScenarioByItsPlaceInTheList) {
         ASSERT_EQ(packed.count(), scenarios.size());
         for (std::size_t i = 0; i < scenarios.size(); ++i) {
             ASSERT_EQ(packed.index_at(i), scenarios[i].index);
+            ASSERT_EQ(
+                packed.bodies_at(i),
+                (ScenarioBodies{scenarios[i].body_a, scenarios[i].body_b, scenarios[i].step}));
             ASSERT_EQ(packed.at(i).value(), scenarios[i]);
         }
     }

@@ -3,6 +3,8 @@
 // can have; that it settles them and counts their cost.
 #include "master/compute/result_check.hpp"
 
+#include "common/job/packed_scenarios.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
@@ -12,6 +14,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -140,6 +143,38 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
     EXPECT_EQ(taken.value().cost.inside.work, cost.inside.work);
     EXPECT_EQ(results.rows()[0].facts.kind, ScenarioClass::Touch);
     EXPECT_EQ(results.rows()[1].facts.kind, ScenarioClass::Cross);
+}
+
+// That the bodies of scenario 1 penetrate takes the poses to tell.
+TEST_F(ResultIntake, ARangeIsTakenAsTheSameScenariosAnalysed) {
+    const Results message = message_of({result_of(0), result_of(1)});
+    const TakenResults expected = take_results(task_, message).value();
+    ASSERT_EQ(result_of(1).kind, ScenarioClass::Touch);
+    ASSERT_EQ(expected.results.rows()[1].facts.kind, ScenarioClass::Cross);
+
+    Grid heights;
+    heights.position = {GridAxis{0, 0, 1}, GridAxis{0, 0, 1}, GridAxis{2, 1, 2}};
+    std::vector<PackedScenarios> runs;
+    const std::vector<Scenario> list{task_.analyses[0]->scenario, task_.analyses[1]->scenario};
+    runs.push_back(PackedScenarios::open(pack_scenarios(list), 2).value());
+    const RangeContent on_grid{{0, 2}, nullptr, std::make_shared<OrderedPoses>(heights)};
+    const RangeContent in_window{
+        {0, 2},
+        std::make_shared<const PoseWindow>(PoseWindow::open(0, std::move(runs)).value()),
+        nullptr};
+    for (const RangeContent& range : {on_grid, in_window}) {
+        const TaskContent task{task_.job, material_, {}, range};
+        const auto taken = take_results(task, message);
+        ASSERT_TRUE(taken) << taken.error().detail;
+        EXPECT_EQ(taken.value().positions, (PositionRange{0, 2}));
+        EXPECT_EQ(taken.value().results.stored(), expected.results.stored());
+        EXPECT_TRUE(std::ranges::equal(taken.value().results.rows(), expected.results.rows()));
+    }
+    ScenarioResult foreign = result_of(0);
+    foreign.index = 2;
+    const auto refused = take_results({task_.job, material_, {}, on_grid}, message_of({foreign}));
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().detail, HasSubstr("not in the task"));
 }
 
 TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {

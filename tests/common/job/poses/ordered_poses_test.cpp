@@ -50,6 +50,7 @@ TEST(OrderedPoses, PositionsAndIndicesAreInverse) {
         ASSERT_TRUE(window->has(index));
         const std::uint64_t position = window->position_of(index);
         ASSERT_EQ(window->index_at(position), index);
+        ASSERT_EQ(window->bodies_at(position), ScenarioBodies{});
         ASSERT_EQ(window->at(position).value(), submitted[index]);
     }
     EXPECT_FALSE(window->has(5000));
