@@ -56,8 +56,8 @@ void Allocator::set_batches() {
                              : timing::batch_seconds_max;
     const double mean_ns = pace.mean_cost_ns();
     for (WorkerProxy* proxy : context_.pool.in_order()) {
-        const double seconds =
-            std::max(std::min(proxy->batch.seconds(), share), timing::batch_seconds_min);
+        const double least = std::max(proxy->batch.seconds_least(), timing::batch_seconds_min);
+        const double seconds = std::max(std::min(proxy->batch.seconds(), share), least);
         proxy->batch.set(static_cast<std::uint64_t>(1e9 * seconds * pace.power_of(*proxy)),
                          mean_ns > 1e9 * timing::scenario_seconds_long * pace.speed_of(*proxy));
     }

@@ -287,6 +287,7 @@ Actions Dispatcher::task_recalled(WorkerId worker, TaskId task, const PositionSe
 void Dispatcher::roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
     WorkerProxy* proxy = parts().pool.find(worker);
     if (proxy != nullptr && parts().queue.is_tree_used(tree)) {
+        proxy->batch.note_blocks(parts().pace.now());
         parts().blocks.hold_wanted(parts().queue, *proxy, tree, roots);
     }
 }
@@ -299,7 +300,8 @@ Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const 
 }
 
 void Dispatcher::roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
-    if (const WorkerProxy* proxy = parts().pool.find(worker)) {
+    if (WorkerProxy* proxy = parts().pool.find(worker)) {
+        proxy->batch.note_blocks(parts().pace.now());
         parts().plan.arrived(proxy->slot(), tree, roots);
     }
 }

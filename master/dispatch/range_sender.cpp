@@ -114,7 +114,8 @@ std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
     const double left = static_cast<double>(job.unsent.rest());
     // Half of the worker's share of all unsent scenarios, so that later ranges even out errors.
     const double share = all > 0 ? left * rate / all / 2 : left;
-    return bounded_positions(std::min(range_seconds(proxy) * rate, share), proxy);
+    const double least = proxy.batch.seconds_least() * rate;
+    return bounded_positions(std::min(range_seconds(proxy) * rate, std::max(share, least)), proxy);
 }
 
 void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {

@@ -56,6 +56,15 @@ TEST_F(RangeSending, TheRestIsDividedInTwoSharesForEachWorker) {
               26u); // 3/4 of the other 70, halved.
 }
 
+TEST_F(RangeSending, ARangeIsAsLongAsARoundTripWhileThatManyAreLeft) {
+    TaskInFlight ended; // 0.05 s for the work of one thread, and as long for the way.
+    ended.busy_seconds = 0.05;
+    join(1).batch.judge(ended, false, 1, 0.1);
+    job_.unsent.add({{0, 80}}, 0);
+    filler.give_ranges(actions);
+    EXPECT_EQ(std::get<SendUnit>(actions.at(0)).positions.count(), 50u);
+}
+
 TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
     WorkerProxy& slow = join(1);
     WorkerProxy& quick = join(2);

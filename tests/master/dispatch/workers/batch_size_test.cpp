@@ -40,6 +40,33 @@ TEST(BatchSize, CountsFromTheEndOfTheTaskBefore) {
     EXPECT_EQ(size.seconds(), timing::batch_seconds_start);
 }
 
+TEST(BatchSize, MeasuresTheRoundTripOfATaskThatAnIdleWorkerGot) {
+    BatchSize size;
+    EXPECT_EQ(size.seconds_least(), 0);
+    size.judge(task(1.92), false, 2, 1.0);
+    EXPECT_NEAR(size.seconds_least(), 0.04, 1e-12);
+    TaskInFlight next = task(1.9);
+    next.sent = 1.1;
+    size.judge(next, true, 2, 2.08);
+    EXPECT_NEAR(size.seconds_least(), 0.03, 1e-12);
+    next.sent = 1.5; // This one waits for the task before, which says nothing of the way.
+    size.judge(next, true, 2, 3.035);
+    EXPECT_NEAR(size.seconds_least(), 0.03, 1e-12);
+}
+
+TEST(BatchSize, IsNeverMadeLongForARoundTripAlone) {
+    BatchSize size;
+    size.judge(task(0.2), false, 2, 1.0);
+    EXPECT_EQ(size.seconds_least(), timing::batch_seconds_start);
+    BatchSize waits;
+    waits.judge(task(0.2, true), false, 2, 1.0);
+    EXPECT_EQ(waits.seconds_least(), 0);
+    BatchSize fetches;
+    fetches.note_blocks(0.5);
+    fetches.judge(task(1.9), false, 2, 1.0);
+    EXPECT_EQ(fetches.seconds_least(), 0);
+}
+
 TEST(BatchSize, HasABound) {
     BatchSize size;
     for (int i = 1; i < 100; ++i) {
