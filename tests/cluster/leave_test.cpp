@@ -63,8 +63,9 @@ TEST_F(Leaving, AnIdleWorkerStaysWhileItWorksAndThenDrains) {
 
 TEST_F(Leaving, AnOrphanEndsAndNamesWhatNoMasterTook) {
     const Job job = make_job(4000);
-    Process& orphan = start_worker(1, {"--orphan-exit", "2", "--idle-exit", "1"});
     const JobId id = submit(*connection_, job, Query{});
+    ASSERT_TRUE(comes_true([&] { return is_prepared(id); })) << master_.log();
+    Process& orphan = start_worker(1, {"--orphan-exit", "2", "--idle-exit", "1"});
     ASSERT_EQ(watch_until(*connection_, id, 500).state, JobState::Running);
     connection_.reset();
     master_.kill();
