@@ -49,8 +49,9 @@ void Allocator::set_batches() {
         unsent_ns += proxy->buffers.cost_ns();
         power += proxy->takes_work() ? pace.power_of(*proxy) : 0;
     }
-    // A batch is at most half of a worker's share of the buffered work. If nothing is buffered, the
-    // share is unknown and does not shorten batches.
+    // A batch is at most half of a worker's share of the buffered work, unless a round trip to the
+    // worker takes longer. If nothing is buffered, the share is unknown and does not shorten
+    // batches.
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
                              : timing::batch_seconds_max;

@@ -112,7 +112,8 @@ std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
     const double rate = context_.pace.positions_per_second(proxy, job);
     const double all = totals(job).rate;
     const double left = static_cast<double>(job.unsent.rest());
-    // Half of the worker's share of all unsent scenarios, so that later ranges even out errors.
+    // Half of the worker's share of all unsent scenarios, so that later ranges even out errors. A
+    // range shorter than a round trip would leave the worker idle until the next one.
     const double share = all > 0 ? left * rate / all / 2 : left;
     const double least = proxy.batch.seconds_least() * rate;
     return bounded_positions(std::min(range_seconds(proxy) * rate, std::max(share, least)), proxy);
