@@ -65,12 +65,12 @@ TEST_F(Leaving, AnOrphanEndsAndNamesWhatNoMasterTook) {
     const Job job = make_job(4000);
     const JobId id = submit(*connection_, job, Query{});
     ASSERT_TRUE(comes_true([&] { return is_prepared(id); })) << master_.log();
-    Process& orphan = start_worker(1, {"--orphan-exit", "2", "--idle-exit", "1"});
+    Process& orphan = start_worker(1, {"--orphan-exit", "7", "--idle-exit", "5"});
     ASSERT_EQ(watch_until(*connection_, id, 500).state, JobState::Running);
     connection_.reset();
     master_.kill();
     EXPECT_EQ(orphan.wait(), 4) << orphan.errors();
-    EXPECT_THAT(orphan.errors(), HasSubstr("leaving, there was no master: seconds=2"));
+    EXPECT_THAT(orphan.errors(), HasSubstr("leaving, there was no master: seconds=7"));
     EXPECT_THAT(orphan.errors(),
                 testing::ContainsRegex("results that no master took: job=" +
                                        std::to_string(id.value) + " scenarios=[1-9]"));
