@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -420,9 +421,15 @@ class Simulation {
         const double period = worker.model.ready_count() != 0
                                   ? options_.results_period
                                   : std::min(options_.results_period, idle_period());
-        for (Message& message : worker.model.due(s4u::Engine::get_clock(), period)) {
-            worker.unpacked.push_back(std::move(message));
-            worker.finished->release();
+        put(worker.model.due(s4u::Engine::get_clock(), period), worker.unpacked, *worker.finished);
+    }
+
+    /// Appends messages to a queue and counts them. The order is that of the calls, although
+    /// SimGrid lets other actors run at each `release`.
+    static void put(Messages messages, std::deque<Message>& queue, s4u::Semaphore& count) {
+        std::ranges::move(messages, std::back_inserter(queue));
+        for (std::size_t i = 0; i < messages.size(); ++i) {
+            count.release();
         }
     }
 
@@ -446,10 +453,7 @@ class Simulation {
     }
 
     static void put_to_master(Worker& worker, Messages messages) {
-        for (Message& message : messages) {
-            worker.untold.push_back(std::move(message));
-            worker.told->release();
-        }
+        put(std::move(messages), worker.untold, *worker.told);
     }
 
     [[nodiscard]] Outcome outcome() const {
