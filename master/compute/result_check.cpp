@@ -179,7 +179,7 @@ Status take_record(const JobMaterial& material,
     if (const char* problem = problem_of_question(material.query, found->bodies, result)) {
         return wrong(problem);
     }
-    // Finding the poses of every scenario would cost the master an eighth more at level count.
+    // Reading the poses for every result would cost the master an eighth more at level count.
     const bool needs_poses =
         result.question == Question::Motion || material.settler->is_work(result);
     const Scenario scenario =

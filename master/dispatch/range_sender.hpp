@@ -1,6 +1,6 @@
 // Makes ranges: consecutive positions of a job, without analysis or matching. At the worker's
-// measured rate, a range lasts as long as a batch. Towards the end of a job it is shorter, but not
-// than a round trip to the worker.
+// measured rate, a range lasts as long as a batch. Towards the end of a job, ranges get shorter,
+// down to the time of a round trip to the worker.
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"

@@ -116,8 +116,8 @@ TEST_P(EndOfJob, CopiesReplaceTheScenariosOfAStoppedHost) {
     std::uint64_t copies_won = 0;
     for (int i = 0; i < jobs_tried && copies_won == 0; ++i) {
         submit_job();
-        // At most 5 % of a job may get copies. If the stopped worker had more scenarios than that,
-        // the job would wait for it.
+        // Other workers may compute copies of 5 % of a job at most. The stopped worker must not
+        // hold more than that, or the job would not end without it.
         progress(0.96);
         workers_[1]->signal(SIGSTOP);
         copies_won = expect_right().copies_won;

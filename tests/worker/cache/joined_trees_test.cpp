@@ -1,5 +1,5 @@
-// Proves that trees with all blocks cached are joined after enough descents and get support points
-// later, that this needs room, for which unused joined trees are dropped, and that a joined tree
+// Proves that a tree whose blocks are all cached is joined after enough descents and gets support
+// points later; that unused joined trees are dropped if memory is short; and that a joined tree
 // belongs to one set of blocks.
 #include "worker/cache/joined_trees.hpp"
 

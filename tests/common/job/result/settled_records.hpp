@@ -1,4 +1,4 @@
-// Checks the records of settled results against their encoding.
+// Compares `put_settled` with encoding the settled result anew.
 #pragma once
 
 #include "common/job/result/result.hpp"

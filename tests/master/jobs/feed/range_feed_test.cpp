@@ -134,7 +134,8 @@ TEST_F(RangeFeedTest, ReturnedPositionsGoOutAgainWithoutALoss) {
     EXPECT_EQ(job.work()->todo.left(), 0u);
     EXPECT_EQ(last_range().positions, (PositionRange{60, 30}));
     EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
-    // The worker also returns 3 and 50, from the middle of its first range. It returned 70 before.
+    // The worker has returned 70 already. Now it also returns 3 and 50, which are in the middle of
+    // its first range.
     services.tasks.recalled(worker, Recalled{first, {3, 50, 70}, 60});
     EXPECT_EQ(job.tally.help.recalled, 32u);
 }
