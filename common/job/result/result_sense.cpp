@@ -19,7 +19,7 @@ Status check_near(const ScenarioResult& result) {
     const bool may_count = result.level != Level::Any && result.kind != ScenarioClass::Separate &&
                            result.kind != ScenarioClass::Undecided &&
                            result.kind != ScenarioClass::Failed;
-    const std::uint64_t listed = listed_near_pairs(result);
+    const std::uint64_t listed = result.has_clearance ? listed_near_pairs(result) : 0;
     if ((is_near && !result.has_clearance) || (result.near_count > 0 && !may_count) ||
         (is_near && result.near_count == 0 && result.level != Level::Any) ||
         listed > result.near_count || result.pairs.size() - listed > result.pair_count) {
@@ -110,13 +110,11 @@ Status check_sense(const ScenarioResult& result) {
     if (result.pair_count > 0 && result.distance_bound > 0) {
         return bad("a distance between bodies in contact");
     }
-    const bool is_proper = std::any_of(result.pairs.begin(), result.pairs.end(), [](const auto& p) {
-        return p.kind == PairClass::Proper;
-    });
-    if (is_proper && result.kind == ScenarioClass::Touch) {
-        return bad("a touch with a proper pair");
-    }
-    return Done{};
+    const bool is_wrong_touch = result.kind == ScenarioClass::Touch &&
+                                std::ranges::any_of(result.pairs, [](const auto& pair) {
+                                    return pair.kind == PairClass::Proper;
+                                });
+    return is_wrong_touch ? bad("a touch with a proper pair") : Status(Done{});
 }
 
 } // namespace cd
