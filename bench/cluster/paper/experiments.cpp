@@ -1,7 +1,9 @@
 #include "bench/cluster/paper/experiments.hpp"
 
+#include "bench/cluster/paper/pipe_fit.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/master.hpp"
 #include "common/core/timing/worker.hpp"
 
 #include <algorithm>
@@ -322,10 +324,11 @@ void Experiments::vary_cores(const Setting& setting, const Scene& scene, std::ui
     }
 }
 
-double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
+std::optional<double> Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
     Point point;
     point.depth = scene.depth;
     double sum = 0;
+    std::uint64_t ended = 0;
     for (std::uint64_t seed = 1; seed <= options_.seeds_of(setting); ++seed) {
         const Workload workload =
             make_workload(*scene.trace,
@@ -333,23 +336,38 @@ double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
                           {setting.costs, point.depth, 0, seed, setting.analysis_seconds});
         const auto outcome = simulate_one(setting, scene, workload, setting.lowest(), point, seed);
         sum += outcome ? outcome->seconds : 0;
+        ended += outcome ? 1 : 0;
     }
-    return sum / static_cast<double>(options_.seeds_of(setting));
+    return ended > 0 ? std::optional(sum / static_cast<double>(ended)) : std::nullopt;
 }
 
 std::optional<double>
 Experiments::fit_pipe(Setting (*setting_of)(double), const Scene& scene, double seconds) {
-    // Bisects on a logarithmic scale, to within 1 %.
+    const auto seconds_at = [&](double rate) {
+        const auto taken = mean_lowest(setting_of(rate), scene);
+        std::printf("pipe of %.1f MB/s: %.0f s\n", 1e-6 * rate, taken.value_or(0));
+        std::fflush(stdout);
+        return taken;
+    };
+    // Bisects on a logarithmic scale, to within a fifth: times jump from rate to rate, since a
+    // scenario more or less in the last batch of a slow core is a tenth of the whole time.
     double slow = 1e6;
     double fast = 1e9;
-    if (mean_lowest(setting_of(fast), scene) > seconds) {
+    if (seconds_at(fast).value_or(seconds) >= seconds) {
         return std::nullopt;
     }
-    while (fast / slow > 1.01) {
+    while (fast / slow > 1.2) {
         const double rate = std::sqrt(slow * fast);
-        (mean_lowest(setting_of(rate), scene) > seconds ? slow : fast) = rate;
+        (seconds_at(rate).value_or(seconds) > seconds ? slow : fast) = rate;
     }
-    return std::sqrt(slow * fast);
+    std::vector<TimeAtRate> times;
+    for (double factor = 0.5; factor < 2.1; factor *= std::pow(2, 0.25)) {
+        const double rate = factor * std::sqrt(slow * fast);
+        if (const auto taken = seconds_at(rate)) {
+            times.push_back({rate, *taken});
+        }
+    }
+    return rate_on_line(times, seconds);
 }
 
 } // namespace cd::bench

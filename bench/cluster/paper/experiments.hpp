@@ -111,7 +111,8 @@ class Experiments {
     void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
 
     /// Returns the pipe rate at which the setting's `lowest` takes so many seconds for all
-    /// scenarios, as the mean of the seeds. Returns nothing if no rate does.
+    /// scenarios, by a line through the times of all seeds at rates around it (`rate_on_line`).
+    /// Returns nothing if no rate does.
     std::optional<double>
     fit_pipe(Setting (*setting_of)(double), const Scene& scene, double seconds);
 
@@ -127,7 +128,8 @@ class Experiments {
                             const Workload& workload,
                             const Point& point,
                             const SimulationOptions& uncharged);
-    [[nodiscard]] double mean_lowest(const Setting& setting, const Scene& scene);
+    /// Returns the mean seconds of `lowest`. Returns nothing if no simulation ends.
+    [[nodiscard]] std::optional<double> mean_lowest(const Setting& setting, const Scene& scene);
     template <class T>
     [[nodiscard]] std::vector<T> series(std::vector<T> all) const;
 
