@@ -36,6 +36,25 @@ TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
     EXPECT_EQ(sent(), (Lists{{0, 1}, {2}}));
 }
 
+TEST_F(Allocating, ABatchIsNotShorterThanARoundTripToItsWorker) {
+    DispatchJob& job = open("earliest-finish");
+    WorkerProxy& near = join(1);
+    WorkerProxy& far = join(2);
+    TaskInFlight ended; // Sent at 0 s to an idle worker.
+    ended.busy_seconds = 0.001;
+    far.batch.judge(ended, false, 1, 0.061);
+    ended.busy_seconds = 0.06;
+    near.batch.judge(ended, false, 1, 0.061);
+    add(job, 2);
+    queue.set_paused(false);
+    allocator.settle(actions);
+    ASSERT_GT(near.buffers.count() + far.buffers.count(), 0u);
+    allocator.settle(actions); // The share of what is buffered is short.
+    const auto second_ns = 1e9 * pace.power_of(far);
+    EXPECT_NEAR(static_cast<double>(far.batch.cost_ns()), 0.06 * second_ns, 1e-6 * second_ns);
+    EXPECT_LT(static_cast<double>(near.batch.cost_ns()), 0.03 * second_ns);
+}
+
 TEST_F(Allocating, AllJobsAreServed) {
     DispatchJob& first = open("best-match", 4, 1);
     DispatchJob& second = open("best-match", 4, 2);

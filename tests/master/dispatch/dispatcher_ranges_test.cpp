@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <random>
 #include <utility>
@@ -119,6 +120,29 @@ TEST_F(DispatcherRanges, TowardsTheEndRangesShrink) {
     EXPECT_EQ(next, 300u);
     EXPECT_EQ(sent.front().positions.count(), 75u);
     EXPECT_EQ(last, 1u);
+}
+
+// After a round trip of half a second, ranges are not shortened at the end of a job.
+TEST(DispatcherRoundTrip, ATaskWithBlocksOnTheWayTellsNone) {
+    const std::vector<RootIndex> roots{0};
+    const auto nothing = [](Dispatcher&) {};
+    const auto wanted = [&](Dispatcher& one) { one.roots_wanted(slow, TreeId{1}, roots); };
+    const auto arrived = [&](Dispatcher& one) { one.roots_arrived(slow, TreeId{1}, roots); };
+    const auto next_range = [](const std::function<void(Dispatcher&)>& meanwhile) {
+        Dispatcher dispatcher;
+        (void)dispatcher.job_opened(job_1, {}, {tree(1, 10), tree(2, 10)});
+        (void)dispatcher.worker_joined(slow, {"slow", 1});
+        const auto first = ranges_in(dispatcher.positions_given(job_1, {{0, 1}}, 0));
+        dispatcher.time_is(0.25);
+        meanwhile(dispatcher);
+        dispatcher.time_is(0.5);
+        (void)dispatcher.answered({slow, first[0].task, job_1, PositionRange{0, 1}, 0.001});
+        (void)dispatcher.task_ended(slow, first[0].task);
+        return ranges_in(dispatcher.positions_given(job_1, {{1, 40}}, 0))[0].positions.count();
+    };
+    EXPECT_EQ(next_range(nothing), 40u);
+    EXPECT_LT(next_range(wanted), 40u);
+    EXPECT_LT(next_range(arrived), 40u);
 }
 
 TEST_F(DispatcherRanges, RangesOfALostWorkerCountAsLostAndThoseOfADrainingWorkerDoNot) {
