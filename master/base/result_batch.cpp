@@ -8,9 +8,10 @@ std::uint64_t record_footer(std::uint64_t scenario, std::span<const std::byte> r
     return checksum(record) + scenario;
 }
 
-void ResultBatch::reserve(std::size_t results) {
+void ResultBatch::reserve(std::size_t results, std::size_t record_bytes) {
     rows_.reserve(results);
     digests_.reserve(results);
+    stored_.reserve(record_bytes + results * record_footer_bytes);
 }
 
 void ResultBatch::add(const ScenarioResult& result) {

@@ -30,8 +30,8 @@ inline constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);
 /// Rows, digests and records of results.
 class ResultBatch {
   public:
-    /// Reserves memory for the rows of this many results.
-    void reserve(std::size_t results);
+    /// Reserves memory for this many results, and for their records of so many bytes in all.
+    void reserve(std::size_t results, std::size_t record_bytes);
     /// Adds a result, and encodes its record.
     void add(const ScenarioResult& result);
     /// Adds a result that was settled after it came with this canonical record (`put_settled`).

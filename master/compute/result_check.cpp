@@ -316,12 +316,13 @@ void TakenResults::add(const ScenarioResult& result,
 
 Result<TakenResults> take_results(const TaskContent& task, const Results& results) {
     const JobMaterial& material = *task.material;
-    const Bytes records = CD_TRY(unpack_records(results.records, limits::results_bytes_max));
+    Bytes unpacked;
+    const auto records = CD_TRY(received_records(results.records, results.are_packed, unpacked));
     const TaskIndex scenarios(task);
     TakenResults taken;
     // The worker's count may be forged, so the task's size limits the allocation.
     const auto count = std::min<std::uint64_t>(results.count, task.count());
-    taken.results.reserve(count);
+    taken.results.reserve(count, records.size());
     taken.positions_of_rows.reserve(count);
     const bool sums_pairs = material.query.maps || material.parts != nullptr;
     std::vector<ScenarioResult> decoded; // For the map, if there is one.
@@ -349,13 +350,11 @@ Result<TakenResults> take_late_results(JobId job,
                                        std::shared_ptr<const JobMaterial> material,
                                        OrderedPoses& poses,
                                        const Results& results) {
-    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
-    if (!records) {
-        return records.error();
-    }
+    Bytes unpacked;
+    const auto records = CD_TRY(received_records(results.records, results.are_packed, unpacked));
     TaskContent content{job, std::move(material), {}, {}};
     std::unordered_set<std::uint64_t> seen; // Ensures that each scenario's pose is read only once.
-    ByteReader reader(records.value());
+    ByteReader reader(records);
     for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
         const Result<ScenarioResult> result =
             decode_result(reader.get_bytes(reader.get<std::uint32_t>()));

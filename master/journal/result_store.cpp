@@ -360,7 +360,8 @@ std::uint64_t ResultStore::count() const {
 Result<ResultsPart> ResultStore::read(std::uint64_t first,
                                       std::uint64_t count,
                                       std::uint64_t bytes_max,
-                                      std::uint64_t sample) const {
+                                      std::uint64_t sample,
+                                      bool is_within_host) const {
     const std::lock_guard lock(state_->mutex);
     const std::uint64_t places = sample == 0 ? state_->scenarios : sample;
     const std::uint64_t begin = std::min(first, places);
@@ -393,7 +394,9 @@ Result<ResultsPart> ResultStore::read(std::uint64_t first,
         ++part.held.back().count;
         ++part.count;
     }
-    part.records = pack_records(records.bytes());
+    SentRecords sent = records_to_send(records.take(), is_within_host);
+    part.records = std::move(sent.bytes);
+    part.are_packed = sent.are_packed;
     return part;
 }
 

@@ -433,9 +433,12 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
         refuse(no_job());
         co_return;
     }
-    auto read = [results = job->results, message] {
-        return results->read(
-            message.first, message.count, limits::results_part_bytes_target, message.sample);
+    auto read = [results = job->results, message, is_within_host = channel_->is_within_host()] {
+        return results->read(message.first,
+                             message.count,
+                             limits::results_part_bytes_target,
+                             message.sample,
+                             is_within_host);
     };
     Result<ResultsPart> part = co_await run_on(coordinator_.parts().blocking, read);
     if (!part) {

@@ -48,9 +48,9 @@ WorkerDirectory::WorkerDirectory(const FailureTimes& times,
 // ---- Joining and returning --------------------------------------------------------------------
 
 Reception WorkerDirectory::receive(const Hello& hello, const std::string& holder) {
-    const WorkerId before{hello.session};
+    const WorkerId before{hello.resumed.id};
     const Worker* worker = find(before);
-    const bool is_of_this_life = hello.epoch == epoch_ || mutated(Mutation::OldEpochTaken);
+    const bool is_of_this_life = hello.resumed.epoch == epoch_ || mutated(Mutation::OldEpochTaken);
     if (is_of_this_life && worker != nullptr && !worker->is_cut_off &&
         worker->instance == hello.instance && worker->author->holder == holder) {
         return {before, worker->key, true, holder};

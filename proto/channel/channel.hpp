@@ -1,6 +1,7 @@
 // A connection that carries messages, over TCP or TLS.
 #pragma once
 
+#include "common/core/host/boot_id.hpp"
 #include "common/core/result.hpp"
 #include "common/core/timing/wire.hpp"
 #include "proto/channel/asio.hpp"
@@ -101,10 +102,20 @@ class Channel {
     [[nodiscard]] virtual const std::string& peer_host() const = 0;
     /// This end's address, without the port.
     [[nodiscard]] virtual const std::string& own_host() const = 0;
+    /// Whether both ends are programs of one host, by their greeting: they have the same address
+    /// and the same boot id. So the end of a tunnel is not taken for the other program.
+    [[nodiscard]] bool is_within_host() const { return is_within_host_; }
+    /// Takes the boot id of the peer's greeting.
+    void set_peer_boot_id(std::uint64_t id) {
+        is_within_host_ = id != 0 && id == boot_id() && peer_host() == own_host();
+    }
     // The next three are those of `Stream`; by default, of a plain one.
     [[nodiscard]] virtual bool is_secured() const { return false; }
     [[nodiscard]] virtual std::optional<Identity> peer_identity() const { return std::nullopt; }
     [[nodiscard]] virtual std::optional<Sha256> binding() const { return std::nullopt; }
+
+  private:
+    bool is_within_host_ = false;
 };
 
 /// The endpoint, security and role of a peer to connect to.

@@ -39,6 +39,7 @@ greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::
         co_return unexpected("welcome in the version of this side");
     }
     channel->expect(hello.role == Role::Peer ? Party::Giver : Party::Master);
+    channel->set_peer_boot_id(welcome->boot_id);
     co_return *welcome;
 }
 
@@ -68,6 +69,7 @@ asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
         const Status spoken = check_version(*hello);
         if (spoken) {
             channel->expect(party_of(hello->role));
+            channel->set_peer_boot_id(hello->boot_id);
             co_return std::move(*hello);
         }
         problem = spoken.error();

@@ -58,13 +58,13 @@ void serialize(Archive& archive, Hello& m) {
         }
     }
     archive(m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
-    archive(m.instance, m.session, m.epoch, m.user);
+    archive(m.instance, m.resumed.id, m.resumed.epoch, m.user, m.boot_id);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
     archive(m.version, m.id, m.build, m.peer_key, m.cluster);
-    archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms, m.owner);
+    archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms, m.owner, m.boot_id);
 }
 
 template <class Archive>
@@ -168,7 +168,7 @@ void serialize(Archive& archive, WantSubtrees& m) {
 
 template <class Archive>
 void serialize(Archive& archive, Results& m) {
-    archive(m.task, m.job, m.count, m.records, m.statistics, m.compute_seconds);
+    archive(m.task, m.job, m.count, m.records, m.are_packed, m.statistics, m.compute_seconds);
     archive(m.sequence, m.traffic, m.map);
 }
 
@@ -464,7 +464,7 @@ void serialize(Archive& archive, ScenarioInterval& r) {
 
 template <class Archive>
 void serialize(Archive& archive, ResultsPart& m) {
-    archive(m.job, m.first, m.next, m.held, m.count, m.records);
+    archive(m.job, m.first, m.next, m.held, m.count, m.records, m.are_packed);
 }
 
 template <class Archive>

@@ -394,6 +394,7 @@ struct ResultsPart {
     std::vector<ScenarioInterval> held; ///< The scenarios of the records, ascending.
     std::uint32_t count = 0;            ///< Number of records.
     Bytes records;
+    bool are_packed = true; ///< As in `SentRecords`.
 };
 
 /// Asks for a job's contact map. Answered by ContactMapAnswer. Errors: NotFound; Refused for the

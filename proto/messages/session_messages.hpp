@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/hash.hpp"
+#include "common/core/host/boot_id.hpp"
 #include "common/core/id.hpp"
 #include "common/core/result.hpp"
 #include "proto/messages/traffic.hpp"
@@ -13,13 +14,19 @@
 namespace cd {
 
 /// Both ends of a connection must use one version.
-inline constexpr std::uint16_t protocol_version = 21;
+inline constexpr std::uint16_t protocol_version = 22;
 
 enum class Role : std::uint8_t {
     Worker = 1,
     Client = 2,
     Peer = 3,
     Joiner = 4, ///< Only requests a certificate.
+};
+
+/// The session that a worker wants to continue.
+struct SessionToResume {
+    std::uint64_t id = 0;    ///< Its WorkerId; 0: none.
+    std::uint64_t epoch = 0; ///< Epoch in its Welcome.
 };
 
 /// The first message on a connection. In each version of the protocol it begins with version, role
@@ -34,9 +41,9 @@ struct Hello {
     std::uint16_t peer_port = 0;   ///< Worker: port that serves blocks; 0: none.
     double weight = 1;             ///< Worker: speed factor in the master's time estimates.
     std::uint64_t instance = 0;    ///< Worker: random id of its process.
-    std::uint64_t session = 0;     ///< Worker: WorkerId of the session to resume; 0: none.
-    std::uint64_t epoch = 0;       ///< Worker: epoch in the Welcome of that session.
+    SessionToResume resumed = {};  ///< Worker.
     std::string user = {};         ///< Client: user@host, the owner of its jobs without TLS.
+    std::uint64_t boot_id = cd::boot_id(); ///< Of the sender's host.
 };
 
 /// A secret shared by the master and one worker; it authenticates the master's tickets.
@@ -54,6 +61,7 @@ struct Welcome {
     std::uint32_t heartbeat_ms = 0;  ///< Heartbeat period of both ends, ms.
     std::uint32_t lost_after_ms = 0; ///< Silence after which a worker's tasks are reassigned, ms.
     std::string owner = {};          ///< Client: the owner of its jobs.
+    std::uint64_t boot_id = cd::boot_id(); ///< Of the sender's host.
 };
 
 /// The sender cannot or will not proceed. Sent to a client, a Failure answers the last request.

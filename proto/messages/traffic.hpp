@@ -31,7 +31,7 @@ struct JobTraffic {
     /// A block counts for the job that requested it; an eviction counts for each job that uses the
     /// tree.
     BlockTraffic blocks;
-    std::uint64_t result_bytes = 0; ///< Packed results from workers, including duplicates.
+    std::uint64_t result_bytes = 0; ///< Results from workers as sent, including duplicates.
 
     friend bool operator==(const JobTraffic&, const JobTraffic&) = default;
 };

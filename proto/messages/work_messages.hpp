@@ -149,12 +149,13 @@ struct WantSubtrees {
     std::vector<RootIndex> roots;
 };
 
-/// Results of some of a task's scenarios: canonical records, packed together (packed_records.hpp).
+/// Results of some of a task's scenarios: canonical records (packed_records.hpp).
 struct Results {
     TaskId task; ///< 0: a task of an earlier session.
     JobId job;
     std::uint32_t count = 0;
     Bytes records;
+    bool are_packed = true; ///< As in `SentRecords`.
     QueryStatistics statistics;
     double compute_seconds = 0; ///< Computing time, summed over the worker's threads.
     std::uint64_t sequence = 0; ///< Number by which ResultsKept acknowledges the message.

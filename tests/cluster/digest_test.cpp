@@ -3,6 +3,7 @@
 // are killed.
 #include "common/job/result/packed_map.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/cluster/mortal_master.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -46,6 +47,24 @@ TEST_F(Cluster, EveryLevelHasTheDigestOfOneProcess) {
     cut.limit_pairs = 5;
     cut.ignored = {{0, 2000, 0, 700}};
     EXPECT_EQ(run(job, cut).digest, job.digest_in_one_process(cut));
+}
+
+// Programs of one host have one address, so another address of it counts as another host.
+TEST_F(Cluster, ResultsArePackedOnlyBetweenHosts) {
+    const Job job = make_job(200);
+    const Query query = at_level(Level::Pairs);
+    start_worker(1);
+    const JobStatus within = run(job, query);
+    const TemporaryFolder far_folder;
+    const MortalMaster far_master(far_folder, {}, "127.0.0.2");
+    const Process worker(worker_command(far_master.address(), "far", 1, {}), far_folder / "far");
+    const auto connection = connect_to(far_master.address(), nullptr);
+    const JobStatus between =
+        finish_job(*connection, submit_job(*connection, job, query, many_blocks()));
+    for (const JobStatus& status : {within, between}) {
+        EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    }
+    EXPECT_LT(2 * between.traffic.result_bytes, within.traffic.result_bytes);
 }
 
 TEST_F(Cluster, ALimitKeepsTheFirstPairsAndTheirPoints) {

@@ -19,9 +19,11 @@ inline constexpr std::chrono::seconds patience{300};
 /// A master that is killed and restarted, always on the port chosen by the system at first.
 class MortalMaster {
   public:
-    /// Every incarnation gets `options`.
-    explicit MortalMaster(const TemporaryFolder& folder, std::vector<std::string> options = {})
-        : folder_(folder), options_(std::move(options)) {
+    /// Every incarnation gets `options`, and listens at `host`.
+    explicit MortalMaster(const TemporaryFolder& folder,
+                          std::vector<std::string> options = {},
+                          std::string host = "127.0.0.1")
+        : folder_(folder), options_(std::move(options)), host_(std::move(host)) {
         start();
     }
 
@@ -29,7 +31,7 @@ class MortalMaster {
         std::filesystem::remove(folder_ / "port");
         std::vector<std::string> command{program("cdmaster").string(),
                                          "--listen",
-                                         "127.0.0.1:" + std::to_string(port_),
+                                         address(),
                                          "--port-file",
                                          folder_ / "port",
                                          "--state",
@@ -52,7 +54,7 @@ class MortalMaster {
         EXPECT_EQ(process_->wait(), 128 + SIGKILL);
     }
 
-    [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+    [[nodiscard]] std::string address() const { return host_ + ":" + std::to_string(port_); }
     [[nodiscard]] std::uint16_t port() const { return port_; }
     [[nodiscard]] Process& process() { return *process_; }
     /// Returns the log of the current incarnation.
@@ -63,6 +65,7 @@ class MortalMaster {
   private:
     const TemporaryFolder& folder_;
     std::vector<std::string> options_;
+    std::string host_;
     std::uint16_t port_ = 0;
     std::unique_ptr<Process> process_;
 };

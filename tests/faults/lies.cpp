@@ -1,6 +1,5 @@
 #include "tests/faults/lies.hpp"
 
-#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/result/result.hpp"
 
@@ -52,8 +51,8 @@ std::optional<ScenarioResult> falsified(ScenarioResult truth) {
 } // namespace
 
 Results Lies::told_by(std::uint64_t host, unsigned liar, const Results& truth) {
-    const Bytes records = unpack_records(truth.records, limits::results_bytes_max).value();
-    ByteReader in(records);
+    Bytes unpacked;
+    ByteReader in(received_records(truth.records, truth.are_packed, unpacked).value());
     ByteWriter out;
     for (std::uint32_t i = 0; i < truth.count; ++i) {
         const ScenarioResult result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
@@ -67,6 +66,7 @@ Results Lies::told_by(std::uint64_t host, unsigned liar, const Results& truth) {
     }
     Results told = truth;
     told.records = pack_records(out.take());
+    told.are_packed = true;
     return told;
 }
 

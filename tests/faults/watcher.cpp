@@ -64,8 +64,8 @@ Sha256 digest_at(JobId job, const RecordPlace& place) {
 
 std::vector<std::uint64_t> scenarios_in(const Results& results) {
     std::vector<std::uint64_t> indices;
-    const Bytes records = unpack_records(results.records, limits::results_bytes_max).value();
-    ByteReader in(records);
+    Bytes unpacked;
+    ByteReader in(received_records(results.records, results.are_packed, unpacked).value());
     for (std::uint32_t i = 0; i < results.count; ++i) {
         indices.push_back(decode_result(in.get_bytes(in.get<std::uint32_t>())).value().index);
     }
@@ -351,8 +351,8 @@ std::string Watcher::welcomed(const Route& route, const Welcome& welcome) {
     connections_[route.to] = route.connection;
     sessions_[route.to] = WorkerId{welcome.id};
     const Hello& hello = hellos_[route.connection];
-    old_sessions_ += hello.session != 0 && !welcome.is_resumed ? 1 : 0;
-    const bool is_right = hello.epoch == welcome.epoch && hello.session == welcome.id;
+    old_sessions_ += hello.resumed.id != 0 && !welcome.is_resumed ? 1 : 0;
+    const bool is_right = hello.resumed.epoch == welcome.epoch && hello.resumed.id == welcome.id;
     return welcome.is_resumed && !is_right ? "a session of a former life of the master goes on"
                                            : "";
 }

@@ -115,8 +115,8 @@ class PartsStage : public testing::Test {
     void resume(WorkerId worker) {
         Hello hello;
         hello.instance = state.workers.find(worker)->instance;
-        hello.session = worker.value;
-        hello.epoch = state.workers.epoch();
+        hello.resumed.id = worker.value;
+        hello.resumed.epoch = state.workers.epoch();
         ASSERT_EQ(connect(hello), worker);
     }
     /// The worker is lost, and its process with it.

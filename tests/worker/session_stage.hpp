@@ -2,7 +2,6 @@
 // process for the same scenarios.
 #pragma once
 
-#include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/query_roots.hpp"
 #include "common/job/result/packed_records.hpp"
@@ -145,8 +144,8 @@ class FakeMaster {
         if (acknowledges) {
             channel->send(ResultsKept{{results.sequence}});
         }
-        const Bytes bytes = unpack_records(results.records, limits::results_bytes_max).value();
-        ByteReader in(bytes);
+        Bytes unpacked;
+        ByteReader in(received_records(results.records, results.are_packed, unpacked).value());
         for (std::uint32_t i = 0; i < results.count; ++i) {
             const auto size = in.get<std::uint32_t>();
             const auto characters = in.get_array<std::uint8_t>(size);

@@ -91,7 +91,9 @@ class Task {
     /// Uncompressed bytes of the results not yet taken.
     [[nodiscard]] std::size_t result_bytes() const { return results_.bytes(); }
     /// Packs and removes the results not yet taken; empty if there are no results.
-    [[nodiscard]] std::optional<Results> take_results() { return results_.take(id_, *job_); }
+    [[nodiscard]] std::optional<Results> take_results(bool is_within_host) {
+        return results_.take(id_, *job_, is_within_host);
+    }
 
   private:
     Task(TaskId id,

@@ -18,16 +18,19 @@ void TaskResults::add(const FinishedScenarios& finished) {
     }
 }
 
-std::optional<Results> TaskResults::take(TaskId task, const WorkerJob& job) {
+std::optional<Results> TaskResults::take(TaskId task, const WorkerJob& job, bool is_within_host) {
     if (sum_.count == 0) {
         return std::nullopt;
     }
-    const FinishedScenarios finished = std::exchange(sum_, {});
+    FinishedScenarios finished = std::exchange(sum_, {});
+    sum_.records.reserve(finished.records.size()); // The next results are about as long.
     Results results;
     results.task = task;
     results.job = job.id;
     results.count = finished.count;
-    results.records = pack_records(finished.records);
+    SentRecords records = records_to_send(std::move(finished.records), is_within_host);
+    results.records = std::move(records.bytes);
+    results.are_packed = records.are_packed;
     results.statistics = finished.statistics;
     results.compute_seconds = finished.seconds;
     if (job.query.maps || job.parts != nullptr) {

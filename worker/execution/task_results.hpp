@@ -18,8 +18,10 @@ class TaskResults {
     [[nodiscard]] std::size_t bytes() const { return sum_.records.size() + map_.bytes(); }
     /// Mean thread time per scenario of the last `add`, in seconds; 0 before the first.
     [[nodiscard]] double seconds_per_scenario() const { return seconds_per_scenario_; }
-    /// Packs and removes the results. Empty if there are none.
-    [[nodiscard]] std::optional<Results> take(TaskId task, const WorkerJob& job);
+    /// Removes the results, and makes a message of them. Empty if there are none.
+    /// `is_within_host`: the master runs on this host.
+    [[nodiscard]] std::optional<Results>
+    take(TaskId task, const WorkerJob& job, bool is_within_host);
 
   private:
     FinishedScenarios sum_; ///< Sum of the results not yet taken, without the contact map.

@@ -34,8 +34,8 @@ void Membership::learn_from(bool was_silent, std::chrono::steady_clock::duration
 asio::awaitable<Result<Served>>
 Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers) {
     if (session_ != nullptr) {
-        hello.session = session_id_;
-        hello.epoch = epoch_;
+        hello.resumed.id = session_id_;
+        hello.resumed.epoch = epoch_;
     }
     const Result<Welcome> greeted = co_await greet(channel, hello, patience());
     if (!greeted) {

@@ -29,6 +29,8 @@ class MasterLink {
     /// Sends a Failure and ends the session, because master and worker disagree on the state.
     virtual void refuse(const Error& error) = 0;
     [[nodiscard]] virtual bool is_open() const = 0;
+    /// Whether the master runs on this host.
+    [[nodiscard]] virtual bool is_within_host() const = 0;
 };
 
 /// The base of a session. Its parts are members of the class that derives from it, so they live

@@ -67,6 +67,7 @@ class SessionLink : public MasterLink {
     [[nodiscard]] bool takes_results() override;
     void refuse(const Error& error) override;
     [[nodiscard]] bool is_open() const override { return channel_->is_open(); }
+    [[nodiscard]] bool is_within_host() const override { return channel_->is_within_host(); }
 
     /// Ends the session and closes the connection. With `flush`, sends queued messages first.
     void end(SessionEnd how, std::string reason = {}, bool flush = false);

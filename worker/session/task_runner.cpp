@@ -321,7 +321,7 @@ void TaskRunner::flush_after(std::chrono::milliseconds wait) {
 }
 
 void TaskRunner::flush(Task& task) {
-    if (auto results = task.take_results()) {
+    if (auto results = task.take_results(master_.is_within_host())) {
         results->traffic = blocks_.take_traffic(task.job().id);
         master_.send_results(std::move(*results));
     }

@@ -47,6 +47,8 @@ class ByteWriter {
         put_array(std::span<const char>(text.data(), text.size()));
     }
 
+    /// Reserves memory for this many bytes in all.
+    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
     [[nodiscard]] std::size_t size() const { return bytes_.size(); }
     [[nodiscard]] const Bytes& bytes() const { return bytes_; }
     [[nodiscard]] Bytes take() { return std::move(bytes_); }

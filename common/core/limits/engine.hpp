@@ -65,6 +65,8 @@ inline constexpr std::uint32_t motion_cells_max = 1u << 16;
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28;
 /// Uncompressed size of all records in one message.
 inline constexpr std::uint64_t results_bytes_max = 512u << 20;
+/// Size of all records in one message that are not packed.
+inline constexpr std::uint64_t plain_records_bytes_max = 16u << 20;
 /// Pairs of parts in contact that a run sums; pairs of triangles in further ones are only counted.
 inline constexpr std::size_t groups_max = 100'000;
 inline constexpr std::size_t label_bytes_max = 256; ///< The id that a pose file gives a scenario.

@@ -1,8 +1,10 @@
 #include "common/job/result/packed_records.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/varint.hpp"
 #include "common/job/result/result.hpp"
 
@@ -319,6 +321,21 @@ Result<Bytes> unpack_records(std::span<const std::byte> packed, std::uint64_t by
         return bad();
     }
     return unpacker.take();
+}
+
+SentRecords records_to_send(Bytes records, bool is_within_host) {
+    return is_within_host && records.size() <= limits::plain_records_bytes_max
+               ? SentRecords{std::move(records), false}
+               : SentRecords{pack_records(records), true};
+}
+
+Result<std::span<const std::byte>>
+received_records(std::span<const std::byte> bytes, bool are_packed, Bytes& unpacked) {
+    if (!are_packed) {
+        return bytes;
+    }
+    unpacked = CD_TRY(unpack_records(bytes, limits::results_bytes_max));
+    return std::span<const std::byte>(unpacked);
 }
 
 } // namespace cd

@@ -36,4 +36,21 @@ namespace cd {
 [[nodiscard]] Result<Bytes> unpack_records(std::span<const std::byte> packed,
                                            std::uint64_t bytes_max);
 
+/// Records as a message carries them.
+struct SentRecords {
+    Bytes bytes;
+    bool are_packed = true; ///< False: each preceded by its length, as `pack_records` takes them.
+};
+
+/// Packs records for a message. Leaves them as they are if the receiver is on this host, where to
+/// pack and unpack them costs more than to move them, unless they are more than
+/// `limits::plain_records_bytes_max`.
+[[nodiscard]] SentRecords records_to_send(Bytes records, bool is_within_host);
+
+/// Returns the records of a message, each preceded by its length. They are part of `bytes`, or of
+/// `unpacked`, if they were packed. The bytes are untrusted: records that were not packed may be
+/// cut short. Errors: those of `unpack_records`.
+[[nodiscard]] Result<std::span<const std::byte>>
+received_records(std::span<const std::byte> bytes, bool are_packed, Bytes& unpacked);
+
 } // namespace cd

@@ -177,6 +177,20 @@ TEST_F(ResultIntake, ARangeIsTakenAsTheSameScenariosAnalysed) {
     EXPECT_THAT(refused.error().detail, HasSubstr("not in the task"));
 }
 
+TEST_F(ResultIntake, TakesRecordsThatAreNotPacked) {
+    const Results packed = message_of({result_of(0), result_of(1)});
+    Results plain = packed;
+    plain.records = unpack_records(packed.records, limits::results_bytes_max).value();
+    plain.are_packed = false;
+    const auto taken = take_results(task_, plain);
+    ASSERT_TRUE(taken) << taken.error().detail;
+    EXPECT_EQ(taken.value().results.stored(), take_results(task_, packed).value().results.stored());
+    plain.records.pop_back();
+    EXPECT_NE(refusal(plain), "taken");
+    plain.records.clear();
+    EXPECT_NE(refusal(plain), "taken");
+}
+
 TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {
     const auto triangles =
         static_cast<std::uint32_t>(material_->trees[0]->mesh().triangles().size());

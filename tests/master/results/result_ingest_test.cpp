@@ -39,7 +39,7 @@ class ResultIngestTest : public PartsStage {
     [[nodiscard]] static Results
     right_ones(JobId job, const std::vector<std::uint64_t>& scenarios, std::uint64_t sequence) {
         ByteWriter records;
-        Results results{{}, job, 0, {}, {}, 0.25, sequence, {}, {}};
+        Results results{{}, job, 0, {}, true, {}, 0.25, sequence, {}, {}};
         results.traffic.hits = 1;
         std::vector<ScenarioResult> right;
         for (const std::uint64_t index : scenarios) {

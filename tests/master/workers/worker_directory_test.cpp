@@ -49,8 +49,8 @@ class Directory : public testing::Test {
         hello.threads = 4;
         hello.cache_bytes = 1000;
         hello.instance = instance;
-        hello.session = before.worker.value;
-        hello.epoch = epoch;
+        hello.resumed.id = before.worker.value;
+        hello.resumed.epoch = epoch;
         return hello;
     }
     Reception join(const Hello& hello, const std::string& holder = "") {
@@ -117,7 +117,7 @@ TEST_F(Directory, ASessionGoesOnOverAnotherConnection) {
 TEST_F(Directory, ASessionGoesOnOnlyForItsProcessAndHolderInThisLife) {
     const Reception first = join(hello(5), "anna");
     Hello of_another_life = hello(5, first);
-    of_another_life.epoch = epoch + 1;
+    of_another_life.resumed.epoch = epoch + 1;
     EXPECT_FALSE(directory_.receive(of_another_life, "anna").is_resumed);
     EXPECT_FALSE(directory_.receive(hello(6, first), "anna").is_resumed);
     EXPECT_FALSE(directory_.receive(hello(5, first), "bert").is_resumed);

@@ -339,6 +339,26 @@ CD_CONVERSATION(Greeting, GreetReturnsTheWelcome) {
     ends.left->close();
 }
 
+CD_CONVERSATION(Greeting, BothEndsKnowWhetherTheyRunOnOneHost) {
+    const auto executor = co_await asio::this_coro::executor;
+    EXPECT_NE(boot_id(), 0u);
+    for (const std::uint64_t id_of_peer : {boot_id(), boot_id() + 1, std::uint64_t{0}}) {
+        const bool is_within_host = id_of_peer == boot_id();
+        Ends ends = co_await connect_ends();
+        const std::shared_ptr<Channel> right = ends.right;
+        Welcome answer;
+        answer.boot_id = id_of_peer;
+        spawn(executor, "answer", welcome_with(right, answer));
+        Hello hello;
+        hello.boot_id = id_of_peer;
+        EXPECT_FALSE(ends.left->is_within_host()) << "before the greeting";
+        EXPECT_TRUE(co_await greet(ends.left, hello));
+        EXPECT_EQ(ends.left->is_within_host(), is_within_host);
+        EXPECT_EQ(right->is_within_host(), is_within_host);
+        ends.left->close();
+    }
+}
+
 asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
     const Result<Hello> refused = co_await accept_hello(channel);
     EXPECT_EQ(refused.error().code, ErrorCode::Refused);

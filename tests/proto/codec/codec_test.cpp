@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "ffb636c52f0101b3"},
-    {"welcome", 116, "6d9ff3ab184b1c76"},
+    {"hello", 103, "877dc7001118c210"},
+    {"welcome", 124, "0d19098557cea39e"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -44,7 +44,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"drain", 0, "e3b0c44298fc1c14"},
     {"terminate", 28, "d6d079848cb90ca3"},
     {"want subtrees", 28, "22f2d0e6837120f2"},
-    {"results", 237, "caaa2d2657fd1bfc"},
+    {"results", 238, "0869fa9e9df46df0"},
     {"end of task", 8, "aae89fc0f03e2959"},
     {"evicted", 24, "21c53776fb477163"},
     {"meshes query", 72, "e1381bfba176d2ec"},
@@ -60,7 +60,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"status query", 0, "e3b0c44298fc1c14"},
     {"cluster status", 1098, "669a744d54ca2a0f"},
     {"results query", 32, "73e200e2b048c86d"},
-    {"results part", 106, "152ae6c9b2d9f303"},
+    {"results part", 107, "4eafd0bf67a8904f"},
     {"cancel", 17, "6450d3157de527b9"},
     {"fetch from peers", 170, "a0d47f54a15913e3"},
     {"held", 24, "ed580f119631830c"},
@@ -261,7 +261,7 @@ TEST(Codec, ValuesOutOfRangeAreRefused) {
     hello[4] = std::byte{5}; // The role, after the two versions.
     EXPECT_FALSE(decode_message(message_type(Hello{}), hello));
 
-    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0, 0, {}, {}});
+    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, true, {}, 1.0, 0, {}, {}});
     // The value of 1.0 before the sequence, the job's cost and the map's length becomes a NaN.
     const std::size_t behind = 2 * sizeof(std::uint64_t) + sizeof(BlockTraffic);
     results[results.size() - behind - 1] = std::byte{0x7f};
@@ -482,11 +482,11 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
         hello.weight = weight;
         EXPECT_TRUE(decode_message(message_type(hello), encode_message(hello)));
     }
-    // A refused message cannot be encoded either; its weight precedes three numbers and a text's
-    // length.
+    // A refused message cannot be encoded either; its weight precedes three numbers, a text's
+    // length and another number.
     Bytes bytes = encode_message(hello);
     for (const double weight : {0.0, -1.0, 1001.0}) {
-        std::memcpy(bytes.data() + bytes.size() - 5 * sizeof(weight), &weight, sizeof(weight));
+        std::memcpy(bytes.data() + bytes.size() - 6 * sizeof(weight), &weight, sizeof(weight));
         EXPECT_FALSE(decode_message(message_type(hello), bytes)) << weight;
     }
 }

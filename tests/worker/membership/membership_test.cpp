@@ -46,7 +46,7 @@ welcome(Bond& bond, std::uint64_t epoch, std::chrono::milliseconds heartbeat = p
     answer.id = 5;
     answer.cluster = some_hash(1);
     answer.epoch = epoch;
-    answer.is_resumed = hello && hello.value().epoch == epoch;
+    answer.is_resumed = hello && hello.value().resumed.epoch == epoch;
     answer.heartbeat_ms = static_cast<std::uint32_t>(heartbeat.count());
     answer.lost_after_ms = 10 * answer.heartbeat_ms;
     ends.right->send(answer);

@@ -28,6 +28,7 @@ struct RecordingMaster : MasterLink {
     bool takes_results() override { return has_room; }
     void refuse(const Error& error) override { refused.push_back(error.detail); }
     [[nodiscard]] bool is_open() const override { return true; }
+    [[nodiscard]] bool is_within_host() const override { return is_local; }
 
     /// Returns the messages of one type, in order.
     template <class T>
@@ -44,6 +45,7 @@ struct RecordingMaster : MasterLink {
     std::vector<Message> sent;
     std::vector<std::string> refused;
     bool has_room = true;
+    bool is_local = false;
 };
 
 /// A hub with one thread, and no connection.

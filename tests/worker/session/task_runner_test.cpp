@@ -173,6 +173,19 @@ TEST_F(Runner, ResultsDoNotWaitAtAWorkerThatIsIdle) {
     EXPECT_LT(answered().size(), 400u);
 }
 
+TEST_F(Runner, ResultsArePackedUnlessTheMasterRunsOnThisHost) {
+    for (const bool is_local : {false, true}) {
+        master.is_local = is_local;
+        add_unbegun(false);
+        go_on();
+        const auto results = master.all<Results>();
+        ASSERT_FALSE(results.empty());
+        EXPECT_TRUE(std::ranges::all_of(
+            results, [&](const Results& each) { return each.are_packed == !is_local; }));
+        master.sent.clear();
+    }
+}
+
 TEST_F(Runner, ReturnsRecalledScenariosThatHaveNotBegun) {
     for (const bool is_range : {false, true}) {
         add_unbegun(is_range);

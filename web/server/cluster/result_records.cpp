@@ -14,7 +14,8 @@ unpack_results(const ResultsPart& part, const ResultsQuery& query, std::uint64_t
         part.next - query.first > query.count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
-    const Bytes records = CD_TRY(unpack_records(part.records, limits::results_bytes_max));
+    Bytes unpacked;
+    const auto records = CD_TRY(received_records(part.records, part.are_packed, unpacked));
     std::vector<PlacedResult> results;
     ByteReader in(records);
     for (const ScenarioInterval& run : part.held) {

@@ -4,6 +4,7 @@
 #include "common/job/result/packed_records.hpp"
 
 #include "common/core/files/compress.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/varint.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/run_scenario.hpp"
@@ -138,6 +139,33 @@ TEST(PackedRecords, StayWithinTheLimit) {
     const auto refused = unpack_records(packed, records.size() - 1);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
+}
+
+TEST(PackedRecords, AreSentPlainWithinAHost) {
+    std::mt19937_64 random(9);
+    const Bytes records = some_records(random, 20);
+    for (const bool is_within_host : {false, true}) {
+        const SentRecords sent = records_to_send(records, is_within_host);
+        EXPECT_EQ(sent.are_packed, !is_within_host);
+        EXPECT_EQ(sent.bytes, is_within_host ? records : pack_records(records));
+        Bytes unpacked;
+        const auto received = received_records(sent.bytes, sent.are_packed, unpacked);
+        ASSERT_TRUE(received);
+        EXPECT_TRUE(std::ranges::equal(received.value(), records));
+    }
+}
+
+TEST(PackedRecords, ManyBytesAreSentPackedEvenWithinAHost) {
+    Bytes records;
+    append(records, Bytes(limits::plain_records_bytes_max - sizeof(std::uint32_t)));
+    EXPECT_FALSE(records_to_send(records, true).are_packed);
+    append(records, {});
+    const SentRecords sent = records_to_send(records, true);
+    EXPECT_TRUE(sent.are_packed);
+    Bytes unpacked;
+    const auto received = received_records(sent.bytes, sent.are_packed, unpacked);
+    ASSERT_TRUE(received);
+    EXPECT_TRUE(std::ranges::equal(received.value(), records));
 }
 
 /// Returns the packed bytes with a column changed before its compression.
