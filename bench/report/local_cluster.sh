@@ -2,6 +2,7 @@
 scratch=$(mktemp -d) # Its files.
 pids=()              # The master's is the first.
 pinned=()            # A command before each program, such as taskset.
+host=127.0.0.1       # The master's address.
 
 stop() { # Ends what was started, and waits for it.
     for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
@@ -12,11 +13,11 @@ trap 'stop; rm -rf "$scratch"' EXIT
 
 start_master() { # OPTIONS...: sets $master to its address
     rm -f "$scratch/port"
-    "${pinned[@]}" "$programs/bin/cdmaster" --listen 127.0.0.1:0 --port-file "$scratch/port" \
+    "${pinned[@]}" "$programs/bin/cdmaster" --listen "$host:0" --port-file "$scratch/port" \
         --state "$scratch/state" --log-level warning "$@" >"$scratch/master.log" 2>&1 &
     pids+=($!)
     until [[ -s $scratch/port ]]; do sleep 0.1; done
-    master=127.0.0.1:$(<"$scratch/port")
+    master=$host:$(<"$scratch/port")
 }
 
 field() { # EXPRESSION over the cluster's status s
