@@ -1,10 +1,11 @@
-// Measures the ways of records between worker, master, journal and client: packing, unpacking,
-// decoding, encoding and hashing.
+// Measures the work on records between the worker's search and the client's files: packing,
+// unpacking, decoding, encoding and hashing.
 //
 //   result_records_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
 //
-// The records are those of the poses at level `pairs`, in one message. `record` is the time by
-// record, `pair` that by pair; `pairs` and `packed` are the pairs and the packed bytes of a record.
+// One message holds the records of all poses at level `pairs`. `record` and `pair` are the time for
+// each record and for each pair; `pairs` and `packed` are the mean pairs and packed bytes of a
+// record.
 #include "bench/posed_trees.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/result/result.hpp"

@@ -102,8 +102,8 @@ class Channel {
     [[nodiscard]] virtual const std::string& peer_host() const = 0;
     /// This end's address, without the port.
     [[nodiscard]] virtual const std::string& own_host() const = 0;
-    /// Whether both ends are programs of one host, by their greeting: they have the same address
-    /// and the same boot id. So the end of a tunnel is not taken for the other program.
+    /// Whether both programs run on the same host: they have the same address and, by their
+    /// greetings, the same boot id. The address alone would be wrong for a tunnel that ends here.
     [[nodiscard]] bool is_within_host() const { return is_within_host_; }
     /// Takes the boot id of the peer's greeting.
     void set_peer_boot_id(std::uint64_t id) {

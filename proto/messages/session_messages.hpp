@@ -41,7 +41,7 @@ struct Hello {
     std::uint16_t peer_port = 0;   ///< Worker: port that serves blocks; 0: none.
     double weight = 1;             ///< Worker: speed factor in the master's time estimates.
     std::uint64_t instance = 0;    ///< Worker: random id of its process.
-    SessionToResume resumed = {};  ///< Worker.
+    SessionToResume resumed = {};  ///< Worker: the session to resume, if any.
     std::string user = {};         ///< Client: user@host, the owner of its jobs without TLS.
     std::uint64_t boot_id = cd::boot_id(); ///< Of the sender's host.
 };

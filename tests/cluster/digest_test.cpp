@@ -49,7 +49,8 @@ TEST_F(Cluster, EveryLevelHasTheDigestOfOneProcess) {
     EXPECT_EQ(run(job, cut).digest, job.digest_in_one_process(cut));
 }
 
-// Programs of one host have one address, so another address of it counts as another host.
+// The far master listens at another address of this machine. The worker's own address differs from
+// it, so both programs treat each other as programs of different hosts.
 TEST_F(Cluster, ResultsArePackedOnlyBetweenHosts) {
     const Job job = make_job(200);
     const Query query = at_level(Level::Pairs);

@@ -116,8 +116,8 @@ TEST_P(EndOfJob, CopiesReplaceTheScenariosOfAStoppedHost) {
     std::uint64_t copies_won = 0;
     for (int i = 0; i < jobs_tried && copies_won == 0; ++i) {
         submit_job();
-        // Other workers may compute copies of 5 % of a job at most. The stopped worker must not
-        // hold more than that, or the job would not end without it.
+        // The master gives other workers copies of at most 5 % of a job's scenarios. If the stopped
+        // worker held more scenarios than that, the job could not end without it.
         progress(0.96);
         workers_[1]->signal(SIGSTOP);
         copies_won = expect_right().copies_won;

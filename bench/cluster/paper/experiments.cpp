@@ -349,8 +349,8 @@ Experiments::fit_pipe(Setting (*setting_of)(double), const Scene& scene, double 
         std::fflush(stdout);
         return taken;
     };
-    // Bisects on a logarithmic scale, to within a fifth: times jump from rate to rate, since a
-    // scenario more or less in the last batch of a slow core is a tenth of the whole time.
+    // Bisection only finds the region of the rate. It cannot find the rate itself, because the
+    // simulated time varies by up to a sixth between rates that differ by a few percent.
     double slow = 1e6;
     double fast = 1e9;
     if (seconds_at(fast).value_or(seconds) >= seconds) {

@@ -12,9 +12,10 @@ struct TimeAtRate {
     double seconds = 0;
 };
 
-/// Returns the rate at which the least-squares line of seconds over 1 / rate has so many seconds: a
-/// job takes a part that does not depend on the pipe, and its bytes by the rate. Returns nothing if
-/// the line does not fall with the rate, or is always above so many seconds.
+/// Fits a line to the times as a function of 1 / rate, by least squares, and returns the rate at
+/// which it has the value `seconds`. The line suits because a job's time is a constant part plus
+/// its bytes divided by the rate. Returns nothing if times do not fall with the rate, or if even an
+/// infinite rate is too slow.
 [[nodiscard]] std::optional<double> rate_on_line(std::span<const TimeAtRate> times, double seconds);
 
 } // namespace cd::bench

@@ -257,7 +257,7 @@ Status get_pairs(ByteReader& in, ScenarioResult& result) {
     const PairClass last_kind = result.has_clearance                 ? PairClass::Near
                                 : result.question == Question::Shots ? PairClass::Touch
                                                                      : PairClass::Proper;
-    // The loop has no branch, for speed: it is the largest part of the master's check.
+    // Errors are reported after the loop, which keeps branches out of it.
     result.pairs.resize(count);
     bool are_known = true;
     bool ascend = true;

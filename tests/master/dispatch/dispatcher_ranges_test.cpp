@@ -122,7 +122,8 @@ TEST_F(DispatcherRanges, TowardsTheEndRangesShrink) {
     EXPECT_EQ(last, 1u);
 }
 
-// After a round trip of half a second, ranges are not shortened at the end of a job.
+// The first task takes half a second. If the dispatcher takes that for the round trip, the next
+// range has all 40 remaining positions; otherwise it has fewer.
 TEST(DispatcherRoundTrip, ATaskWithBlocksOnTheWayTellsNone) {
     const std::vector<RootIndex> roots{0};
     const auto nothing = [](Dispatcher&) {};
