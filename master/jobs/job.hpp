@@ -28,11 +28,12 @@ namespace cd {
 
 using Clock = std::chrono::steady_clock;
 
-/// Learned seconds per scenario, by which the master chooses between analysis and ranges.
+/// Learned costs per scenario, by which the master chooses between analysis and ranges.
 struct JobRates {
-    LearnedRate analysis; ///< Analysis on one pool thread of the master.
-    LearnedRate matching; ///< Matching and sending an analysed scenario.
-    LearnedRate work;     ///< Search on one thread of a worker.
+    LearnedRate analysis; ///< Seconds of the analysis on one pool thread of the master.
+    LearnedRate matching; ///< Seconds of matching and sending an analysed scenario.
+    LearnedRate work;     ///< Seconds of the search on one thread of a worker.
+    LearnedRate bytes;    ///< Bytes that analysis adds to a scenario on the wire.
 };
 
 /// State of a job that hands out work. Exists from the loading of its geometry until its end.

@@ -105,7 +105,9 @@ MissingCosts BlockNeeds::costs_of(const DispatchJob& job) const {
     }
     for (const WorkerProxy* proxy : pool_.in_order()) {
         const double missing = missing_share(*proxy, job);
-        costs.all += missing * (static_cast<double>(bytes) / pace_.link_of(*proxy) +
+        const double of_byte = 1 / pace_.link_of(*proxy);
+        costs.of_byte += of_byte / static_cast<double>(pool_.in_order().size());
+        costs.all += missing * (static_cast<double>(bytes) * of_byte +
                                 static_cast<double>(blocks) * timing::block_seconds);
         const std::uint64_t memory = proxy->facts().cache_bytes;
         costs.all_fits = costs.all_fits &&

@@ -1,5 +1,7 @@
 #include "master/jobs/feed/analysis_feed.hpp"
 
+#include "common/job/packed_scenarios.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -50,15 +52,16 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, TakenResults finished) {
     parts_.life.disk_gives(*job);
     parts_.dispatch->analysis_took(id, block.positions.count, block.seconds);
     const auto begin = parts_.jobs.now();
-    const std::uint64_t handed_out = hand_out(*job, block);
+    const HandedOut handed_out = hand_out(*job, block);
     if (!job->is_running()) {
         return;
     }
     JobRates& rates = job->work()->rates;
     rates.analysis.add(block.seconds, static_cast<double>(block.positions.count));
-    if (handed_out != 0) {
+    if (handed_out.scenarios != 0) {
         const double seconds = std::chrono::duration<double>(parts_.jobs.now() - begin).count();
-        rates.matching.add(seconds, static_cast<double>(handed_out));
+        rates.matching.add(seconds, static_cast<double>(handed_out.scenarios));
+        rates.bytes.add(handed_out.added_bytes, static_cast<double>(handed_out.scenarios));
     }
     job->tally.answered_by_master += static_cast<std::uint64_t>(
         std::ranges::count_if(finished.results.rows(), [&](const ResultRow& row) {
@@ -68,8 +71,9 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, TakenResults finished) {
     parts_.life.end_if_complete(*job);
 }
 
-std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
-    std::uint64_t handed_out = 0;
+AnalysisFeed::HandedOut AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
+    const bool is_grid = job.run->poses->grid() != nullptr; // Its ranges have no poses on the wire.
+    HandedOut handed_out;
     for (Analysis& analysis : block.scenarios) {
         // A scenario that was queued again may have an answer or an analysis by now.
         if (analysis.finished || job.merged.has(analysis.scenario.index) ||
@@ -84,12 +88,15 @@ std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
                                   block.losses,
                                   analysis.scenario.body_a,
                                   analysis.scenario.body_b};
+        const std::uint64_t bytes_in_range = is_grid ? 0 : packed_bytes(analysis.scenario);
+        const std::uint64_t added_bytes = analysis.bytes - std::min(analysis.bytes, bytes_in_range);
         job.work()->open.add(std::move(analysis));
         parts_.dispatch.act(parts_.dispatch->scenario_analysed(job.id, std::move(scenario)));
         if (!job.is_running()) { // The last missing scenario was given up, which ended the job.
             break;
         }
-        ++handed_out;
+        ++handed_out.scenarios;
+        handed_out.added_bytes += static_cast<double>(added_bytes);
     }
     return handed_out;
 }

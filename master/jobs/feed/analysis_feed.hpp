@@ -44,9 +44,13 @@ class AnalysisFeed {
     [[nodiscard]] std::unique_ptr<Analyser> make_analyser(const MasterJob& job);
     /// Takes an analysed block. `finished`: results of its scenarios that need no worker.
     void came(JobId job, AnalysedBlock block, TakenResults finished);
-    /// Gives the dispatcher the scenarios that need a worker, and returns their number. Skips
-    /// scenarios with a result, for example one that a worker delivered after a restart.
-    std::uint64_t hand_out(MasterJob& job, AnalysedBlock& block);
+    struct HandedOut {
+        std::uint64_t scenarios = 0;
+        double added_bytes = 0; ///< What the analysis adds to them on the wire.
+    };
+    /// Gives the dispatcher the scenarios that need a worker. Skips scenarios with a result, for
+    /// example one that a worker delivered after a restart.
+    HandedOut hand_out(MasterJob& job, AnalysedBlock& block);
 
     Parts parts_;
 };

@@ -111,6 +111,7 @@ bool WorkFeed::prefers_ranges_now(const MasterJob& job) const {
     costs.scenarios_left = job.merged.summary().total - job.merged.summary().merged();
     costs.analysis = rates.analysis.value_or(0);
     costs.matching = rates.matching.value_or(0);
+    costs.analysed_bytes = rates.bytes.value_or(0);
     costs.work = rates.work.value_or(0);
     costs.threads_master = parts_.background.compute_pool().size();
     costs.threads_workers = 0;

@@ -207,6 +207,8 @@ TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
     EXPECT_NEAR(all,
                 2 * (20 * 1280 / limits::link_bytes_per_second_start + 20 * timing::block_seconds),
                 1e-9);
+    EXPECT_NEAR(
+        dispatcher_.missing_costs(job_1).of_byte * limits::link_bytes_per_second_start, 1, 1e-9);
     for (std::uint64_t i = 0; i < 64; ++i) {
         (void)dispatcher_.scenario_analysed(job_1, {i, {1, 2}, {3}, 100, 1000});
     }

@@ -56,6 +56,16 @@ TEST(RangeChoice, FillingTheCachesIsPaidOnce) {
     EXPECT_FALSE(prefers_ranges(costs));
 }
 
+TEST(RangeChoice, BytesOfTheAnalysisCountOnASlowLink) {
+    RangeCosts costs = small_cluster();
+    costs.missing.any = 130e-6;
+    costs.analysed_bytes = 200;
+    costs.missing.of_byte = 1e-8; // 2 us, and 20 us of matching.
+    EXPECT_FALSE(prefers_ranges(costs));
+    costs.missing.of_byte = 1e-6; // 200 us.
+    EXPECT_TRUE(prefers_ranges(costs));
+}
+
 TEST(RangeChoice, WorkersThatWouldWaitForTheMasterCount) {
     RangeCosts costs = small_cluster();
     costs.missing.any = 100e-6;

@@ -42,6 +42,19 @@ TEST_F(AnalysisFeedTest, EachScenarioIsAnsweredByTheMasterOrGivenToTheDispatcher
     }
 }
 
+TEST_F(AnalysisFeedTest, MeasuresTheBytesThatAnalysisAddsOnTheWire) {
+    MasterJob& job = open();
+    start(job);
+    run_until_analysed();
+    const JobWork& work = *job.work();
+    std::uint64_t bytes = 0;
+    for (const auto& [position, analysis] : work.open.all()) {
+        bytes += sizeof(std::uint32_t) + analysis->pairs.size() * sizeof(RootPair);
+    }
+    EXPECT_DOUBLE_EQ(work.rates.bytes.value() * static_cast<double>(work.open.size()),
+                     static_cast<double>(bytes));
+}
+
 TEST_F(AnalysisFeedTest, AScenarioThatHasAResultIsNotGivenToTheDispatcher) {
     MasterJob& job = open();
     std::uint64_t next = touching_ + 1;
