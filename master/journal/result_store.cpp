@@ -6,7 +6,6 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
-#include "common/job/result/packed_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -360,8 +359,7 @@ std::uint64_t ResultStore::count() const {
 Result<ResultsPart> ResultStore::read(std::uint64_t first,
                                       std::uint64_t count,
                                       std::uint64_t bytes_max,
-                                      std::uint64_t sample,
-                                      bool is_within_host) const {
+                                      std::uint64_t sample) const {
     const std::lock_guard lock(state_->mutex);
     const std::uint64_t places = sample == 0 ? state_->scenarios : sample;
     const std::uint64_t begin = std::min(first, places);
@@ -370,6 +368,7 @@ Result<ResultsPart> ResultStore::read(std::uint64_t first,
     ResultsPart part;
     part.first = first;
     part.next = std::max(first, end);
+    part.are_packed = false;
     std::optional<RecordReader>
         reader; // Made at the first record: a job without results has no file.
     for (std::uint64_t at = begin; at < end; ++at) {
@@ -394,9 +393,7 @@ Result<ResultsPart> ResultStore::read(std::uint64_t first,
         ++part.held.back().count;
         ++part.count;
     }
-    SentRecords sent = records_to_send(records.take(), is_within_host);
-    part.records = std::move(sent.bytes);
-    part.are_packed = sent.are_packed;
+    part.records = records.take();
     return part;
 }
 

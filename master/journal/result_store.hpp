@@ -90,16 +90,14 @@ class ResultStore {
     [[nodiscard]] bool has(std::uint64_t scenario) const;
     [[nodiscard]] std::uint64_t count() const; ///< Number of scenarios with a readable record.
 
-    /// Returns the records of scenarios, or of places of a sample (`ResultsQuery`), [first, first +
-    /// count), for a client that runs on this host or not. Stops before their uncompressed size
-    /// exceeds `bytes_max`, though not before the first record, and after
-    /// `limits::results_scan_max` scenarios. The caller sets `job` of the part. Errors: Io for a
-    /// record that is damaged or unreadable.
+    /// Returns the records, not packed, of scenarios, or of places of a sample (`ResultsQuery`),
+    /// [first, first + count). Stops before their size exceeds `bytes_max`, though not before the
+    /// first record, and after `limits::results_scan_max` scenarios. The caller sets `job` of the
+    /// part. Errors: Io for a record that is damaged or unreadable.
     [[nodiscard]] Result<ResultsPart> read(std::uint64_t first,
                                            std::uint64_t count,
                                            std::uint64_t bytes_max,
-                                           std::uint64_t sample = 0,
-                                           bool is_within_host = false) const;
+                                           std::uint64_t sample = 0) const;
 
   private:
     struct State;

@@ -1,10 +1,12 @@
 #include "master/net/client_session.hpp"
 
+#include "common/core/errors.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/timing/master.hpp"
+#include "common/job/result/packed_records.hpp"
 #include "master/base/run_on.hpp"
 #include "master/identity/identity.hpp"
 #include "master/net/answers.hpp"
@@ -433,12 +435,15 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
         refuse(no_job());
         co_return;
     }
-    auto read = [results = job->results, message, is_within_host = channel_->is_within_host()] {
-        return results->read(message.first,
-                             message.count,
-                             limits::results_part_bytes_target,
-                             message.sample,
-                             is_within_host);
+    auto read = [results = job->results,
+                 message,
+                 is_within_host = channel_->is_within_host()]() -> Result<ResultsPart> {
+        ResultsPart part = CD_TRY(results->read(
+            message.first, message.count, limits::results_part_bytes_target, message.sample));
+        SentRecords sent = records_to_send(std::move(part.records), is_within_host);
+        part.records = std::move(sent.bytes);
+        part.are_packed = sent.are_packed;
+        return part;
     };
     Result<ResultsPart> part = co_await run_on(coordinator_.parts().blocking, read);
     if (!part) {

@@ -173,6 +173,7 @@ class Client {
         }
     }
 
+    std::uint64_t boot_id = 0; ///< Of the host on which the client says that it runs.
     std::vector<JobStatus> statuses;
     std::uint64_t records = 0;
     std::optional<Result<Message>> answer;
@@ -184,8 +185,8 @@ class Client {
     asio::awaitable<void> greet_master() {
         Target target = master_.target(CertifiedRole::Submitter, "client");
         channel_ = (co_await connect(std::move(target))).value();
-        const Hello hello; // Named, because GCC 12 copies temporaries in such an expression bit by
-                           // bit.
+        Hello hello; // Named, because GCC 12 copies temporaries in such an expression bit by bit.
+        hello.boot_id = boot_id;
         (void)co_await greet(channel_, hello);
     }
 

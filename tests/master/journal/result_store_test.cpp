@@ -5,7 +5,6 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
-#include "common/job/result/packed_records.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>
@@ -24,11 +23,9 @@ Bytes make_record(std::uint64_t scenario, std::size_t size) {
 }
 
 std::vector<Bytes> records_of(const ResultsPart& part) {
-    Bytes unpacked;
-    const auto bytes = received_records(part.records, part.are_packed, unpacked);
-    EXPECT_TRUE(bytes);
+    EXPECT_FALSE(part.are_packed);
     std::vector<Bytes> records;
-    ByteReader in(bytes.value());
+    ByteReader in(part.records);
     for (std::uint32_t i = 0; i < part.count; ++i) {
         const auto text = in.get_array<std::uint8_t>(in.get<std::uint32_t>());
         const auto record = std::as_bytes(std::span(text));
@@ -144,17 +141,6 @@ TEST_F(ResultStoreTest, ASampleHasTheRecordsOfItsPlaces) {
               (std::vector<ScenarioInterval>{{5, 1}, {10, 2}}));
     const ResultsPart little = store->read(0, 4, 20, 4).value();
     EXPECT_EQ(little.next, 2u);
-}
-
-TEST_F(ResultStoreTest, RecordsArePackedUnlessTheClientRunsOnThisHost) {
-    const auto store = make_store(2);
-    ASSERT_TRUE(add(*store, 0, make_record(0, 100)));
-    ASSERT_TRUE(add(*store, 1, make_record(1, 200)));
-    for (const bool is_within_host : {false, true}) {
-        const ResultsPart part = store->read(0, 2, 1000, 0, is_within_host).value();
-        EXPECT_EQ(part.are_packed, !is_within_host);
-        EXPECT_EQ(records_of(part), (std::vector<Bytes>{make_record(0, 100), make_record(1, 200)}));
-    }
 }
 
 TEST_F(ResultStoreTest, OneRecordOverTheLimitIsGivenAlone) {

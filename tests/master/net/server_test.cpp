@@ -1,5 +1,6 @@
 // Proves that a master in this process completes jobs over loopback with the digest of the same
 // scenarios without a cluster, and refuses invalid client messages.
+#include "common/core/host/boot_id.hpp"
 #include "common/core/timing/master.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "tests/master/fake_client.hpp"
@@ -12,6 +13,28 @@
 
 namespace cd::tests {
 namespace {
+
+TEST(Server, RecordsArePackedUnlessTheClientRunsOnThisHost) {
+    Master master;
+    FakeWorker worker(master, {});
+    Client owner(master);
+    owner.start(reference().submission());
+    owner.expect_right();
+    std::vector<Bytes> records;
+    for (const std::uint64_t id_of_client : {boot_id() + 1, boot_id()}) {
+        Client client(master);
+        client.boot_id = id_of_client;
+        client.start_asking({ResultsQuery{*owner.job, 0, 1000}});
+        client.run_until_done();
+        const auto part = std::get<ResultsPart>(client.answer->value());
+        EXPECT_EQ(part.count, reference().scenarios.size());
+        EXPECT_EQ(part.are_packed, id_of_client != boot_id());
+        Bytes unpacked;
+        const auto plain = received_records(part.records, part.are_packed, unpacked).value();
+        records.emplace_back(plain.begin(), plain.end());
+    }
+    EXPECT_EQ(records[0], records[1]);
+}
 
 TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
     // Every class must occur, or agreement proves little.
