@@ -160,6 +160,20 @@ SettleStatistics Settler::settle_closed(const Scenario& scenario,
     return work;
 }
 
+bool Settler::decides_insides(std::uint32_t body_a, std::uint32_t body_b) const {
+    return ignored_of(ignored_, body_a, body_b).empty() ||
+           (probes(body_a, body_b).are_all && probes(body_b, body_a).are_all);
+}
+
+void Settler::set_flags(ScenarioResult& result) const {
+    if (result.kind == ScenarioClass::Failed || result.question == Question::Shots) {
+        return;
+    }
+    const bool is_closed = are_closed(result.body_a, result.body_b);
+    result.surfaces_only = !is_closed;
+    result.insides_skipped = is_closed && !decides_insides(result.body_a, result.body_b);
+}
+
 InsideStatistics Settler::settle(const Scenario& scenario,
                                  ScenarioResult& result,
                                  const SettleOptions& options) const {
@@ -175,10 +189,7 @@ InsideStatistics Settler::settle_at(const Scenario& scenario,
                                     ScenarioResult& result,
                                     const SettleOptions& options) const {
     using Clock = std::chrono::steady_clock;
-    const bool is_closed = are_closed(scenario.body_a, scenario.body_b);
-    result.surfaces_only = !is_closed;
-    result.insides_skipped = is_closed && !ignored_in(scenario).empty() &&
-                             !(probes_of_a(scenario).are_all && probes_of_b(scenario).are_all);
+    set_flags(result);
     if (!is_work(result)) {
         return {};
     }

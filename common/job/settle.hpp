@@ -66,6 +66,8 @@ class Settler {
 
     /// Returns true if `settle` may do more than set flags, so that a thread for the call pays.
     [[nodiscard]] bool is_work(const ScenarioResult& result) const;
+    /// Does what `settle` does for a result without work (`is_work`), which needs no poses.
+    void set_flags(ScenarioResult& result) const;
 
   private:
     /// Probes that are made on first use.
@@ -78,6 +80,9 @@ class Settler {
     [[nodiscard]] std::span<const IgnoredRange> ignored_in(const Scenario& scenario) const {
         return ignored_of(ignored_, scenario.body_a, scenario.body_b);
     }
+    /// Returns false if some triangle of a body stays undecided, because those that bound the other
+    /// body without the ignored ones are not whole components.
+    [[nodiscard]] bool decides_insides(std::uint32_t body_a, std::uint32_t body_b) const;
     /// Returns the probes of a body in another body.
     [[nodiscard]] const InsideProbes& probes(std::uint32_t inner, std::uint32_t outer) const;
     [[nodiscard]] const InsideProbes& probes_of_a(const Scenario& scenario) const {

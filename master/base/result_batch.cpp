@@ -2,6 +2,9 @@
 
 #include "common/core/files/disk_file.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace cd {
 
 std::uint64_t record_footer(std::uint64_t scenario, std::span<const std::byte> record) {
@@ -10,7 +13,6 @@ std::uint64_t record_footer(std::uint64_t scenario, std::span<const std::byte> r
 
 void ResultBatch::reserve(std::size_t results, std::size_t record_bytes) {
     rows_.reserve(results);
-    digests_.reserve(results);
     stored_.reserve(record_bytes + results * record_footer_bytes);
 }
 
@@ -18,6 +20,7 @@ void ResultBatch::add(const ScenarioResult& result) {
     const std::size_t begin = stored_.size();
     put_result(stored_, result);
     finish(result.index, facts_of(result), begin);
+    hash();
 }
 
 void ResultBatch::add_settled(const ScenarioResult& result, std::span<const std::byte> record) {
@@ -32,13 +35,30 @@ void ResultBatch::add(std::uint64_t scenario,
     const std::size_t begin = stored_.size();
     put_bytes(stored_, record);
     finish(scenario, facts, begin);
+    hash();
 }
 
 void ResultBatch::finish(std::uint64_t scenario, const ScenarioFacts& facts, std::size_t begin) {
     const auto record = std::span(stored()).subspan(begin);
     rows_.push_back({scenario, record.size(), facts});
-    digests_.push_back(digest_of_record(record));
     stored_.put(record_footer(scenario, record));
+}
+
+void ResultBatch::hash() {
+    std::vector<std::span<const std::byte>> records;
+    records.reserve(rows_.size() - digests_.size());
+    std::uint64_t end = stored_.size();
+    for (std::size_t row = rows_.size(); row-- > digests_.size();) {
+        end -= rows_[row].length + record_footer_bytes;
+        records.push_back(std::span(stored()).subspan(end, rows_[row].length));
+    }
+    std::ranges::reverse(records);
+    std::vector<Sha256> digests = digests_of_records(records);
+    if (digests_.empty()) {
+        digests_ = std::move(digests);
+    } else {
+        digests_.insert(digests_.end(), digests.begin(), digests.end());
+    }
 }
 
 ResultBatch ResultBatch::without(std::span<const std::size_t> places) const {

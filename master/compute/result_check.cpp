@@ -145,18 +145,37 @@ const char* problem_of_distance(const JobMaterial& material, const ScenarioResul
 }
 
 /// Returns what is wrong with the answer of a decoded result to its scenario; null if nothing.
-/// Poses of the scenario are only read for motions.
+/// `scenario` is needed for motions, and may be null for other questions.
 const char* problem_of_answer(const JobMaterial& material,
-                              const Scenario& scenario,
+                              const Scenario* scenario,
                               const ScenarioResult& result) {
     const char* problem = problem_of_pairs(material, result);
     if (problem == nullptr && result.question == Question::Shots) {
         return problem_of_hits(material, result);
     }
     if (problem == nullptr && result.question == Question::Motion) {
-        return problem_of_motion(material, scenario, result);
+        return problem_of_motion(material, *scenario, result);
     }
     return problem != nullptr ? problem : problem_of_distance(material, result);
+}
+
+/// Checks the answer of a decoded result to its scenario, and settles it. Returns what is wrong;
+/// null if nothing.
+const char* settle(const JobMaterial& material,
+                   const Scenario& scenario,
+                   ScenarioResult& result,
+                   InsideStatistics& cost) {
+    const char* const problem = problem_of_answer(material, &scenario, result);
+    if (problem == nullptr) {
+        cost += material.settler->settle(scenario, result);
+    }
+    return problem;
+}
+
+/// Does what `settle` does, for a result that needs no poses (`Settler::is_work`).
+const char* set_flags(const JobMaterial& material, ScenarioResult& result) {
+    material.settler->set_flags(result);
+    return problem_of_answer(material, nullptr, result);
 }
 
 /// Checks and settles a record, and adds it to `taken`. Leaves the decoded result in `result`.
@@ -182,18 +201,15 @@ Status take_record(const JobMaterial& material,
     // Reading the poses for every result would cost the master an eighth more at level count.
     const bool needs_poses =
         result.question == Question::Motion || material.settler->is_work(result);
-    const Scenario scenario =
-        needs_poses
-            ? scenarios.with_poses(*found)
-            : Scenario{result.index, found->bodies.a, found->bodies.b, {}, found->bodies.step};
-    if (const char* problem = problem_of_answer(material, scenario, result)) {
+    const char* const problem =
+        needs_poses ? settle(material, scenarios.with_poses(*found), result, taken.cost.inside)
+                    : set_flags(material, result);
+    if (problem != nullptr) {
         return wrong(problem);
     }
-    const InsideStatistics inside = material.settler->settle(scenario, result);
     taken.results.add_settled(result, bytes);
     taken.positions_of_rows.push_back(mutated(Mutation::IndexTakenForPosition) ? result.index
                                                                                : found->position);
-    taken.cost.inside += inside;
     if (found->analysis != nullptr) {
         taken.cost += found->analysis->cost;
     }
@@ -341,6 +357,7 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     if (!reader.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
     }
+    taken.results.hash();
     taken.map = CD_TRY(take_map(material, decoded, results.map));
     taken.positions = PositionSet::of(taken.positions_of_rows);
     return taken;

@@ -16,10 +16,6 @@ std::optional<std::uint64_t> RangeContent::position_of(std::uint64_t index) cons
     return is_here ? std::optional(position) : std::nullopt;
 }
 
-ScenarioBodies RangeContent::bodies_at(std::uint64_t position) const {
-    return window == nullptr ? ScenarioBodies{} : window->bodies_at(position);
-}
-
 Scenario RangeContent::scenario_at(std::uint64_t position) const {
     if (window == nullptr) {
         return scenario_on(*order->grid(), position); // On a grid, position and index are equal.

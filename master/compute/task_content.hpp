@@ -42,7 +42,9 @@ struct RangeContent {
     /// The position of the scenario with this index; empty if it is not in the range.
     [[nodiscard]] std::optional<std::uint64_t> position_of(std::uint64_t index) const;
     /// The bodies and step of the scenario at a position of the range.
-    [[nodiscard]] ScenarioBodies bodies_at(std::uint64_t position) const;
+    [[nodiscard]] ScenarioBodies bodies_at(std::uint64_t position) const {
+        return window == nullptr ? ScenarioBodies{} : window->bodies_at(position);
+    }
     /// The scenario at a position of the range.
     [[nodiscard]] Scenario scenario_at(std::uint64_t position) const;
 };

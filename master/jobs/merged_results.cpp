@@ -33,7 +33,7 @@ void MergedResults::set_near_count(std::uint64_t scenario, std::uint64_t count) 
         if (count == 0) {
             return; // Jobs without a clearance need no list.
         }
-        near_counts_.resize(scenario + 1);
+        near_counts_.resize(merger_.places());
     }
     near_counts_[scenario] = count;
 }
@@ -59,8 +59,8 @@ void MergedResults::restore(std::uint64_t scenario,
                             const std::shared_ptr<const Author>& author) {
     CD_CHECK(has(scenario));
     if (scenario >= facts_.size()) {
-        facts_.resize(scenario + 1);
-        author_numbers_.resize(scenario + 1);
+        facts_.resize(merger_.places());
+        author_numbers_.resize(merger_.places());
     }
     facts_[scenario] = pack(facts);
     set_near_count(scenario, facts.near_count);

@@ -33,12 +33,7 @@ class ByteWriter {
     template <Scalar T>
     void put_array(std::span<const T> values) {
         const auto bytes = std::as_bytes(values);
-        if (bytes.empty()) {
-            return;
-        }
-        const std::size_t end = bytes_.size();
-        bytes_.resize(end + bytes.size());
-        std::memcpy(bytes_.data() + end, bytes.data(), bytes.size());
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
 
     /// Writes the length as u32, then the characters.

@@ -2,6 +2,8 @@
 
 #include "common/core/check.hpp"
 
+#include <algorithm>
+
 namespace cd {
 
 ScenarioFacts facts_of(const ScenarioResult& result) {
@@ -36,10 +38,8 @@ ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256&
     if (has(index)) {
         return digests_[index] == digest ? Outcome::Repeated : Outcome::Differs;
     }
-    if (index >= digests_.size()) {
-        digests_.resize(index + 1);
-        merged_.resize(index + 1);
-        tell_.resize(scene_ ? index + 1 : 0);
+    if (index >= places()) {
+        grow_to(index);
     }
     digests_[index] = digest;
     merged_[index] = true;
@@ -50,8 +50,12 @@ ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256&
     return Outcome::Added;
 }
 
-bool ResultMerger::has(std::uint64_t index) const {
-    return index < merged_.size() && merged_[index];
+void ResultMerger::grow_to(std::uint64_t index) {
+    constexpr std::uint64_t step = 1024;
+    const std::uint64_t places = std::min(summary_.total, (index / step + 1) * step);
+    digests_.resize(places);
+    merged_.resize(places);
+    tell_.resize(scene_ ? places : 0);
 }
 
 void ResultMerger::remove(std::uint64_t index, const ScenarioFacts& facts) {

@@ -65,7 +65,8 @@ struct SceneHead {
 };
 
 /// Merges results idempotently: the first result of a scenario counts, and later results are
-/// compared with the first. Memory: one hash for each scenario up to the highest one merged.
+/// compared with the first. Memory: one hash for each scenario up to some behind the highest one
+/// merged.
 class ResultMerger {
   public:
     /// With `scene`, the digest is that of a scene.
@@ -86,7 +87,9 @@ class ResultMerger {
     add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest);
     /// Removes a merged result. `facts` must equal those with which it was added.
     void remove(std::uint64_t index, const ScenarioFacts& facts);
-    [[nodiscard]] bool has(std::uint64_t index) const;
+    [[nodiscard]] bool has(std::uint64_t index) const { return index < places() && merged_[index]; }
+    /// Scenarios, from the first one on, for which there is memory.
+    [[nodiscard]] std::uint64_t places() const { return merged_.size(); }
     /// Returns the digest of a merged result.
     [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const;
 
@@ -106,7 +109,10 @@ class ResultMerger {
     [[nodiscard]] std::uint64_t& count_of(ScenarioClass kind);
     void count(const ScenarioFacts& facts);
 
-    // The vectors grow to the highest merged index, so that a job's claimed size costs no memory.
+    /// Makes places for the scenario and some more.
+    void grow_to(std::uint64_t index);
+
+    // The vectors grow with the highest merged index, so that a job's claimed size costs no memory.
     std::vector<Sha256> digests_;
     std::vector<bool> merged_;
     std::vector<bool> tell_; ///< Of a scene: whether the result tells something.

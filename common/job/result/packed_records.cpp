@@ -245,7 +245,9 @@ Status Unpacker::add_record() {
     const std::span<const std::byte> tail = columns_[tails].get_bytes(tail_length);
     const bool has_pairs = head_length % 2 != 0;
     std::uint32_t count = 0;
-    if (has_failed() || (has_pairs && head.size() < sizeof count)) {
+    const bool is_cut = columns_[lengths].has_failed() || columns_[heads].has_failed() ||
+                        columns_[tails].has_failed();
+    if (is_cut || (has_pairs && head.size() < sizeof count)) {
         return bad();
     }
     if (has_pairs) {
@@ -260,14 +262,16 @@ Status Unpacker::add_record() {
         return Error{ErrorCode::TooLarge,
                      "packed records of more than " + std::to_string(bytes_max_) + " bytes"};
     }
-    if (!get_pairs(count)) {
+    if (count != 0 && !get_pairs(count)) {
         return bad();
     }
     out_.put(static_cast<std::uint32_t>(bytes));
     put_bytes(out_, head);
-    out_.put_array(std::span<const std::uint32_t>(a_));
-    out_.put_array(std::span<const std::uint32_t>(b_));
-    put_bytes(out_, kinds);
+    if (count != 0) {
+        out_.put_array(std::span<const std::uint32_t>(a_));
+        out_.put_array(std::span<const std::uint32_t>(b_));
+        put_bytes(out_, kinds);
+    }
     put_bytes(out_, tail);
     return Done{};
 }

@@ -339,6 +339,11 @@ Status get_body(ByteReader& in, ScenarioResult& result) {
     return Done{};
 }
 
+bool is_of_scene(std::span<const std::byte> record) {
+    return record.size() > flags_offset && std::to_integer<std::uint8_t>(record[0]) == version &&
+           (std::to_integer<std::uint8_t>(record[flags_offset]) & flag_scene) != 0;
+}
+
 } // namespace
 
 std::string_view to_text(ScenarioClass value) {
@@ -458,10 +463,7 @@ std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record)
 }
 
 Sha256 digest_of_record(std::span<const std::byte> record) {
-    const bool is_of_scene =
-        record.size() > flags_offset && std::to_integer<std::uint8_t>(record[0]) == version &&
-        (std::to_integer<std::uint8_t>(record[flags_offset]) & flag_scene) != 0;
-    if (!is_of_scene) {
+    if (!is_of_scene(record)) {
         return sha256(record);
     }
     constexpr std::array<std::byte, sizeof(std::uint64_t)> index_of_all{};
@@ -470,6 +472,15 @@ Sha256 digest_of_record(std::span<const std::byte> record) {
     stream.update(index_of_all);
     stream.update(record.subspan(index_offset + index_of_all.size()));
     return stream.finish();
+}
+
+std::vector<Sha256> digests_of_records(std::span<const std::span<const std::byte>> records) {
+    if (std::ranges::none_of(records, is_of_scene)) {
+        return sha256_each(records);
+    }
+    std::vector<Sha256> digests(records.size());
+    std::ranges::transform(records, digests.begin(), digest_of_record);
+    return digests;
 }
 
 Sha256 digest_of(const ScenarioResult& result) {

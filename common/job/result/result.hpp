@@ -151,6 +151,9 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max);
 /// Returns SHA-256 of a canonical record. In a scene the index counts as 0, so that the digests do
 /// not depend on which other pairs of bodies have scenarios.
 [[nodiscard]] Sha256 digest_of_record(std::span<const std::byte> record);
+/// Returns the `digest_of_record` of each record, in less time if the records are short.
+[[nodiscard]] std::vector<Sha256>
+digests_of_records(std::span<const std::span<const std::byte>> records);
 /// Returns the digest of the result's canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
 

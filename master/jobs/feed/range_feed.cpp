@@ -14,14 +14,19 @@ namespace {
 /// The positions of the range that have neither a result nor an analysis.
 PositionSet open_positions(const MasterJob& job, const GivenRange& range) {
     const OpenAnalyses& analyses = job.work()->open;
-    PositionSet open;
-    for (std::uint64_t i = 0; i < range.positions.count; ++i) {
-        const PositionRange one{range.positions.first + i, 1};
+    const auto is_open = [&](std::uint64_t position) {
         const std::uint64_t index =
-            range.window == nullptr ? one.first : range.window->index_at(one.first);
-        if (!job.merged.has(index) && !analyses.has(one.first)) {
-            open.add(one);
+            range.window == nullptr ? position : range.window->index_at(position);
+        return !job.merged.has(index) && !analyses.has(position);
+    };
+    PositionSet open;
+    const std::uint64_t end = range.positions.end();
+    for (std::uint64_t position = range.positions.first; position < end; ++position) {
+        const std::uint64_t first = position;
+        while (position < end && is_open(position)) {
+            ++position;
         }
+        open.add({first, position - first});
     }
     return open;
 }
