@@ -88,6 +88,7 @@ inline constexpr double scenario_seconds_long = 0.05;
 inline constexpr double end_gain_seconds_min = 0.02; ///< Smallest gain that is worth the messages.
 /// After this time without an answer, a recall no longer counts as pending.
 inline constexpr double recall_answer_seconds = 0.5;
-inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Period of straggler checks.
+/// Period of checks for stragglers, and for positions that wait while no event comes.
+inline constexpr std::chrono::milliseconds end_check_period{100};
 
 } // namespace cd::timing

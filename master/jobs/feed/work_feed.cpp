@@ -2,10 +2,12 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/range_choice.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -34,13 +36,28 @@ void WorkFeed::feed() {
         rest = rest.subspan(alike);
     }
     if (load.under_way == 0) {
-        return parts_.dispatch.act(parts_.dispatch->input_paused());
-    }
-    for (const MasterJob* job : all) {
-        if (job->work() != nullptr && job->work()->analyses_under_way() == 0) {
-            parts_.dispatch.act(parts_.dispatch->job_input_paused(job->id));
+        parts_.dispatch.act(parts_.dispatch->input_paused());
+    } else {
+        for (const MasterJob* job : all) {
+            if (job->work() != nullptr && job->work()->analyses_under_way() == 0) {
+                parts_.dispatch.act(parts_.dispatch->job_input_paused(job->id));
+            }
         }
     }
+    look_again(all);
+}
+
+void WorkFeed::look_again(const Jobs& jobs) {
+    const bool some_wait = std::ranges::any_of(jobs, [this](const MasterJob* job) {
+        return job->work() != nullptr && parts_.dispatch.view().positions_unsent(job->id) != 0;
+    });
+    if (!some_wait || std::exchange(looks_again_, true)) {
+        return;
+    }
+    parts_.loop.after(timing::end_check_period, [this] {
+        looks_again_ = false;
+        feed();
+    });
 }
 
 void WorkFeed::analyse(std::span<MasterJob* const> jobs, std::uint64_t unsent_max, Load& load) {

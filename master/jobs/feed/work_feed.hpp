@@ -3,6 +3,7 @@
 #pragma once
 
 #include "master/base/background.hpp"
+#include "master/base/event_loop.hpp"
 #include "master/jobs/feed/analysis_feed.hpp"
 #include "master/jobs/feed/range_feed.hpp"
 #include "master/jobs/job_table.hpp"
@@ -18,6 +19,7 @@ namespace cd {
 class WorkFeed {
   public:
     struct Parts {
+        EventLoop& loop;
         JobTable& jobs;
         const WorkerDirectory& workers;
         const AwaitedWorkers& awaited;
@@ -55,8 +57,13 @@ class WorkFeed {
     [[nodiscard]] bool
     wants_more(const MasterJob& job, std::uint64_t unsent_max, const Load& load) const;
     [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
+    /// Calls `feed` again after a time if positions of these jobs wait for a worker. With many
+    /// workers an event only causes a look at the one it is about, which may not take them, and no
+    /// event may follow.
+    void look_again(const Jobs& jobs);
 
     Parts parts_;
+    bool looks_again_ = false; ///< `look_again` has set a timer.
 };
 
 } // namespace cd

@@ -41,6 +41,17 @@ TEST_F(WorkFeedTest, AJobIsSentInRangesOrAnalysedAsItsClientAsks) {
     EXPECT_EQ(analysed.work()->positions_loading, 0u);
 }
 
+TEST_F(WorkFeedTest, LooksAgainWhilePositionsWait) {
+    MasterJob& first = open(AnalysisMode::Never);
+    join(70);
+    work_.feed();
+    run_until([&] { return state.dispatch.view().positions_unsent(first.id) != 0; });
+    work_.feed();
+    MasterJob& second = open(AnalysisMode::Never);
+    EXPECT_EQ(second.work()->todo.left(), 90u);
+    run_until([&] { return second.work()->todo.empty(); });
+}
+
 TEST_F(WorkFeedTest, StrictClaimingIsAnalysed) {
     Submit submit = submission(AnalysisMode::Never);
     submit.cluster.claim = true;
