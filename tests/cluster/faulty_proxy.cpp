@@ -28,7 +28,7 @@ void keep_from_children(Socket& socket) {
 } // namespace
 
 FaultyProxy::FaultyProxy(std::uint16_t target)
-    : FaultyProxy({asio::ip::address_v4::loopback(), 0}, [target](tcp::socket&, tcp::socket&) {
+    : FaultyProxy({asio::ip::make_address("127.0.0.2"), 0}, [target](tcp::socket&, tcp::socket&) {
           return Endpoint(asio::ip::address_v4::loopback(), target);
       }) {}
 
@@ -45,7 +45,9 @@ FaultyProxy::~FaultyProxy() {
 }
 
 std::string FaultyProxy::address() const {
-    return "127.0.0.1:" + std::to_string(port());
+    const asio::ip::address listens = acceptor_.local_endpoint().address();
+    return (listens.is_unspecified() ? "127.0.0.1" : listens.to_string()) + ":" +
+           std::to_string(port());
 }
 
 void FaultyProxy::cut_if(std::function<bool()> is_cut) {

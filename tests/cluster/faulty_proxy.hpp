@@ -32,7 +32,8 @@ class FaultyProxy {
     using Route =
         std::function<Endpoint(asio::ip::tcp::socket& accepted, asio::ip::tcp::socket& onward)>;
 
-    /// Listens on a port of loopback that the system chooses, and forwards to another of them.
+    /// Listens on a port of loopback that the system chooses, and forwards to another of them. Its
+    /// address is not that of the programs, so they pack results as between hosts.
     explicit FaultyProxy(std::uint16_t target);
     FaultyProxy(const Endpoint& listen, Route route);
     FaultyProxy(const FaultyProxy&) = delete;
