@@ -56,7 +56,15 @@ void WorkFeed::look_again(const Jobs& jobs) {
     }
     parts_.loop.after(timing::end_check_period, [this] {
         looks_again_ = false;
-        feed();
+        const DispatchView& dispatch = parts_.dispatch.view();
+        const bool some_idle = std::ranges::any_of(dispatch.workers(), [&](WorkerId worker) {
+            return dispatch.worker_status(worker).working == 0;
+        });
+        if (some_idle) {
+            return feed();
+        }
+        Load load;
+        look_again(jobs_to_feed(load));
     });
 }
 

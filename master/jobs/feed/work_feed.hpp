@@ -57,7 +57,7 @@ class WorkFeed {
     [[nodiscard]] bool
     wants_more(const MasterJob& job, std::uint64_t unsent_max, const Load& load) const;
     [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
-    /// Calls `feed` again after a time if positions of these jobs wait for a worker. With many
+    /// If positions of these jobs wait and a worker is idle, calls `feed` after a time. With many
     /// workers an event only causes a look at the one it is about, which may not take them, and no
     /// event may follow.
     void look_again(const Jobs& jobs);

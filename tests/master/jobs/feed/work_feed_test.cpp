@@ -41,8 +41,10 @@ TEST_F(WorkFeedTest, AJobIsSentInRangesOrAnalysedAsItsClientAsks) {
     EXPECT_EQ(analysed.work()->positions_loading, 0u);
 }
 
-TEST_F(WorkFeedTest, LooksAgainWhilePositionsWait) {
+TEST_F(WorkFeedTest, LooksAgainWhilePositionsWaitAndAWorkerIsIdle) {
     MasterJob& first = open(AnalysisMode::Never);
+    const WorkerId idle = join(71); // Gets no work.
+    state.dispatch.act(state.dispatch->worker_draining(idle));
     join(70);
     work_.feed();
     run_until([&] { return state.dispatch.view().positions_unsent(first.id) != 0; });
