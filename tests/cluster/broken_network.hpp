@@ -85,7 +85,7 @@ class BrokenNetwork : public MortalCluster {
         return status ? status.value().losses.sessions_resumed : 0;
     }
 
-    FaultyProxy proxy_{master_.port()};
+    FaultyProxy proxy_{master_.port(), "127.0.0.2"};
     Job job_;
     std::unique_ptr<Connection> connection_;
     JobId id_;

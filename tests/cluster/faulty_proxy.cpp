@@ -27,8 +27,8 @@ void keep_from_children(Socket& socket) {
 
 } // namespace
 
-FaultyProxy::FaultyProxy(std::uint16_t target)
-    : FaultyProxy({asio::ip::make_address("127.0.0.2"), 0}, [target](tcp::socket&, tcp::socket&) {
+FaultyProxy::FaultyProxy(std::uint16_t target, const char* listen)
+    : FaultyProxy({asio::ip::make_address(listen), 0}, [target](tcp::socket&, tcp::socket&) {
           return Endpoint(asio::ip::address_v4::loopback(), target);
       }) {}
 

@@ -32,9 +32,9 @@ class FaultyProxy {
     using Route =
         std::function<Endpoint(asio::ip::tcp::socket& accepted, asio::ip::tcp::socket& onward)>;
 
-    /// Listens on a port of loopback that the system chooses, and forwards to another of them. Its
-    /// address is not that of the programs, so they pack results as between hosts.
-    explicit FaultyProxy(std::uint16_t target);
+    /// Listens on a port of loopback that the system chooses, and forwards to another of them. If
+    /// its address is not 127.0.0.1, workers pack results as between hosts.
+    explicit FaultyProxy(std::uint16_t target, const char* listen = "127.0.0.1");
     FaultyProxy(const Endpoint& listen, Route route);
     FaultyProxy(const FaultyProxy&) = delete;
     FaultyProxy& operator=(const FaultyProxy&) = delete;
