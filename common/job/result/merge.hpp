@@ -65,8 +65,8 @@ struct SceneHead {
 };
 
 /// Merges results idempotently: the first result of a scenario counts, and later results are
-/// compared with the first. Memory: one hash for each scenario up to some behind the highest one
-/// merged.
+/// compared with the first. Memory: one hash for each scenario up to the highest one merged, and
+/// for at most 1,023 more.
 class ResultMerger {
   public:
     /// With `scene`, the digest is that of a scene.
@@ -88,7 +88,7 @@ class ResultMerger {
     /// Removes a merged result. `facts` must equal those with which it was added.
     void remove(std::uint64_t index, const ScenarioFacts& facts);
     [[nodiscard]] bool has(std::uint64_t index) const { return index < places() && merged_[index]; }
-    /// Scenarios, from the first one on, for which there is memory.
+    /// The number of scenarios, counted from the first one, for which memory is reserved.
     [[nodiscard]] std::uint64_t places() const { return merged_.size(); }
     /// Returns the digest of a merged result.
     [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const;
@@ -109,7 +109,7 @@ class ResultMerger {
     [[nodiscard]] std::uint64_t& count_of(ScenarioClass kind);
     void count(const ScenarioFacts& facts);
 
-    /// Makes places for the scenario and some more.
+    /// Reserves memory for the scenario and for at most 1,023 after it.
     void grow_to(std::uint64_t index);
 
     // The vectors grow with the highest merged index, so that a job's claimed size costs no memory.
