@@ -132,8 +132,8 @@ std::shared_ptr<const std::vector<bool>> MergedResults::marks() const {
 void MergedResults::close() {
     contributors_ = processes();
     merger_.close();
-    facts_ = {};
-    near_counts_ = {};
+    GrowingList<PackedFacts>().swap(facts_);
+    GrowingList<std::uint64_t>().swap(near_counts_);
     author_numbers_.resize(std::min(author_numbers_.size(), limits::authors_kept_max));
     author_numbers_.shrink_to_fit();
     numbers_ = {};

@@ -2,6 +2,7 @@
 // withdrawn.
 #pragma once
 
+#include "common/core/growing_list.hpp"
 #include "common/job/result/merge.hpp"
 #include "master/base/instance_id.hpp"
 
@@ -85,9 +86,9 @@ class MergedResults {
     [[nodiscard]] std::uint32_t number_of(const std::shared_ptr<const Author>& author);
 
     ResultMerger merger_;
-    std::vector<PackedFacts> facts_;
-    std::vector<std::uint64_t> near_counts_;    ///< Zeros behind the end.
-    std::vector<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
+    GrowingList<PackedFacts> facts_;
+    GrowingList<std::uint64_t> near_counts_;    ///< Zeros behind the end.
+    GrowingList<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
     std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Author's index in `authors_`.
     std::uint32_t number_last_ = 0;     ///< Last author's index, mostly right for the next result.

@@ -1,6 +1,7 @@
 // Merges a job's results, each scenario once, and computes the job's digest and summary.
 #pragma once
 
+#include "common/core/growing_list.hpp"
 #include "common/job/result/result.hpp"
 
 #include <array>
@@ -112,8 +113,8 @@ class ResultMerger {
     /// Reserves memory for the scenario and for at most 1,023 after it.
     void grow_to(std::uint64_t index);
 
-    // The vectors grow with the highest merged index, so that a job's claimed size costs no memory.
-    std::vector<Sha256> digests_;
+    // The lists grow with the highest merged index, so that a job's claimed size costs no memory.
+    GrowingList<Sha256> digests_;
     std::vector<bool> merged_;
     std::vector<bool> tell_; ///< Of a scene: whether the result tells something.
     std::optional<SceneHead> scene_;
