@@ -37,7 +37,7 @@ constexpr std::size_t lane_data = 1;
 
 std::size_t bytes_on_the_wire(std::size_t payload) {
     const std::size_t frames =
-        (payload + limits::frame_payload_bytes_max - 1) / limits::frame_payload_bytes_max;
+        (payload + limits::frame_sent_bytes_max - 1) / limits::frame_sent_bytes_max;
     return payload + std::max<std::size_t>(1, frames) * frame_header_bytes;
 }
 
@@ -369,7 +369,7 @@ void ChannelState::write_next() {
     }
     const Outgoing& message = lanes[lane].front();
     const auto rest = std::span(message.payload).subspan(message.sent);
-    const auto slice = rest.first(std::min(rest.size(), limits::frame_payload_bytes_max));
+    const auto slice = rest.first(std::min(rest.size(), limits::frame_sent_bytes_max));
     FrameHeader out;
     out.type = message.type;
     out.has_more = slice.size() < rest.size();

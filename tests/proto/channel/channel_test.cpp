@@ -272,6 +272,33 @@ CD_CONVERSATION(Channel, AMessageInSmallPiecesIsNotTaken) {
     EXPECT_THAT(verdict.detail, HasSubstr("too small"));
 }
 
+CD_CONVERSATION(Channel, SlowLinksGetLargeMessagesInSmallFrames) {
+    SocketEnds ends = co_await connect_sockets();
+    const std::shared_ptr<Channel> channel =
+        Channel::make(std::make_unique<Stream>(std::move(ends.left)));
+    Failure failure;
+    failure.detail = std::string(900'000, 'x');
+    const Bytes whole = encode_message(failure);
+    channel->send(failure);
+    const std::size_t queued = channel->queued_bytes();
+    Bytes payload;
+    std::size_t frames = 0;
+    for (bool has_more = true; has_more; ++frames) {
+        std::array<std::byte, frame_header_bytes> head{};
+        co_await asio::async_read(ends.right, asio::buffer(head), asio::use_awaitable);
+        const FrameHeader header = decode_header(head).value();
+        has_more = header.has_more;
+        EXPECT_LE(header.payload_bytes, limits::frame_with_more_bytes_min);
+        Bytes piece(header.payload_bytes);
+        co_await asio::async_read(ends.right, asio::buffer(piece), asio::use_awaitable);
+        payload.insert(payload.end(), piece.begin(), piece.end());
+    }
+    EXPECT_EQ(frames, 4u);
+    EXPECT_EQ(payload, whole);
+    EXPECT_EQ(queued, whole.size() + frames * frame_header_bytes);
+    channel->close();
+}
+
 CD_CONVERSATION(Channel, BetweenMessagesOneMayBeSilent) {
     SocketEnds ends = co_await connect_sockets();
     asio::ip::tcp::socket& quiet = ends.left;
