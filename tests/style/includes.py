@@ -121,7 +121,7 @@ DOORS = {
     r"fmt/": ["common/core/host/log.hpp", "common/core/host/log_style.cpp", "common/core/words.cpp", "client", "web"],
     r"boost/asio": ["proto/channel/asio.hpp", "proto/channel/asio_tls.hpp"],
     r"boost/multiprecision": ["common/pair/numbers", "common/tree/build/triangle_cells"],
-    r"boost/container": ["master/blocks/block_index.hpp"],
+    r"boost/container": ["common/core/growing_list.hpp", "master/blocks/block_index.hpp"],
     r"boost/": ["proto", "common/pair/numbers"],
     r"cereal/": ["proto"],
     r"assimp/": ["client/import/foreign/assimp"],
