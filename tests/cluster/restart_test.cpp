@@ -315,7 +315,7 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
 
 /// The workers have finished all their tasks and return one after the other.
 TEST_F(Restart, ResultsOfWorkersThatReturnAreNotComputedAgain) {
-    constexpr std::uint64_t scenarios = 20000;
+    constexpr std::uint64_t scenarios = 40000;
     const Job job = make_job(scenarios);
     for (int i = 0; i < 3; ++i) {
         start_worker();
@@ -324,7 +324,16 @@ TEST_F(Restart, ResultsOfWorkersThatReturnAreNotComputedAgain) {
     Query query;
     query.level = Level::Any;
     const JobId id = submit(*connection, job, query);
-    ASSERT_EQ(watch_until(*connection, id, 2000).state, JobState::Running);
+    // The master waits for workers of which the journal has results. It commits every few
+    // milliseconds, so it has those that came before the last 2000.
+    std::uint64_t merged = 0;
+    ASSERT_TRUE(comes_true([&] {
+        const ClusterStatus status = connection->status().value();
+        merged = status.jobs.at(0).summary.merged();
+        return std::ranges::all_of(status.workers,
+                                   [](const WorkerStatus& worker) { return worker.scenarios > 0; });
+    }));
+    ASSERT_EQ(watch_until(*connection, id, merged + 2000).state, JobState::Running);
     connection.reset();
     master_.kill();
     const auto attempts = [](const Process& worker) {
