@@ -37,13 +37,13 @@ Sha256 hash_end(SHA256_CTX& context) {
 
 /// A message of at most 55 bytes is one block: the message, a bit that is set, zeros, and the
 /// message's length in bits, big-endian (FIPS 180-4, 5.1.1).
-using Block = std::array<std::uint8_t, SHA256_CBLOCK>;
+using Block = std::array<std::byte, SHA256_CBLOCK>;
 constexpr std::size_t one_block_bytes_max = SHA256_CBLOCK - 1 - sizeof(std::uint64_t);
 
 template <class Unsigned>
-void put_big_endian(std::uint8_t* to, Unsigned value) {
+void put_big_endian(std::byte* to, Unsigned value) {
     for (std::size_t i = sizeof value; i-- > 0; value = static_cast<Unsigned>(value >> 8)) {
-        to[i] = static_cast<std::uint8_t>(value);
+        to[i] = static_cast<std::byte>(value);
     }
 }
 
@@ -59,21 +59,21 @@ void hash_blocks(std::span<const std::span<const std::byte>> messages, std::span
         std::array<SHA256_CTX, together> contexts;
         for (std::size_t i = 0; i < count; ++i) {
             const std::span<const std::byte> message = messages[first + i];
-            std::memcpy(blocks[i].data(), message.data(), message.size());
-            blocks[i][message.size()] = 0x80;
+            std::ranges::copy(message, blocks[i].begin());
+            blocks[i][message.size()] = std::byte{0x80};
             put_big_endian(&blocks[i][SHA256_CBLOCK - sizeof(std::uint64_t)],
                            8 * std::uint64_t{message.size()});
             std::ranges::copy(initial.h, contexts[i].h);
         }
         for (std::size_t i = 0; i < count; ++i) {
-            SHA256_Transform(&contexts[i], blocks[i].data());
+            SHA256_Transform(&contexts[i],
+                             reinterpret_cast<const unsigned char*>(blocks[i].data()));
         }
         for (std::size_t i = 0; i < count; ++i) {
-            std::array<std::uint8_t, SHA256_DIGEST_LENGTH> hash;
+            std::array<std::byte, SHA256_DIGEST_LENGTH>& hash = hashes[first + i].bytes;
             for (std::size_t word = 0; word < std::size(contexts[i].h); ++word) {
                 put_big_endian(&hash[word * sizeof(SHA_LONG)], contexts[i].h[word]);
             }
-            std::memcpy(hashes[first + i].bytes.data(), hash.data(), hash.size());
         }
     }
 }

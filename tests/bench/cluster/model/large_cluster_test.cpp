@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <random>
 #include <vector>
 
 namespace cd::tests {
@@ -77,6 +78,28 @@ TEST(LargeCluster, RangesAreWholeAndEachBlockLeavesTheMasterOnce) {
     EXPECT_LT(first.seconds, workload.serial_seconds);
     options.peers = false;
     EXPECT_GT(simulate_large(workload, options).uploads_max, 1u);
+}
+
+// The master looks at one worker after an event when there are more than 64. Then positions that a
+// worker gave back could wait for ever, if the one that got them was too slow for them.
+TEST(LargeCluster, JobsInRangesEndWithMoreHostsThanTheMasterLooksAtTogether) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937_64 random(seed);
+        Workload workload = make_synthetic_workload(seed, 3000);
+        for (ScenarioCost& cost : workload.costs) {
+            cost.work_seconds *= 0.02;
+        }
+        LargeOptions options;
+        options.dispatch.strategy = "earliest-finish";
+        options.dispatch.claim = false;
+        options.analysis = AnalysisMode::Never;
+        options.at_once_seconds = 0.001;
+        for (std::size_t host = 0; host < 100; ++host) {
+            options.speeds.push_back(0.05 * static_cast<double>(1 + random() % 20));
+        }
+        EXPECT_EQ(simulate_large(workload, options).answered, workload.count());
+    }
 }
 
 TEST(LargeCluster, BlocksThatDoNotFitComeAgain) {
