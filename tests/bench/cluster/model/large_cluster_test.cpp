@@ -80,8 +80,7 @@ TEST(LargeCluster, RangesAreWholeAndEachBlockLeavesTheMasterOnce) {
     EXPECT_GT(simulate_large(workload, options).uploads_max, 1u);
 }
 
-// The master looks at one worker after an event when there are more than 64. Then positions that a
-// worker gave back could wait for ever, if the one that got them was too slow for them.
+// With more than 64 workers, the master looks at one of them after an event, not at all.
 TEST(LargeCluster, JobsInRangesEndWithMoreHostsThanTheMasterLooksAtTogether) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
