@@ -1,4 +1,4 @@
-// A list of millions of elements that grows without copying them.
+// A list that grows to millions of elements without copying them.
 #pragma once
 
 #include <boost/container/deque.hpp>
@@ -10,8 +10,9 @@ namespace cd {
 /// Elements in one block of a `GrowingList`.
 inline constexpr std::size_t growing_list_block = 1024;
 
-/// A list in blocks of equal size. Growing adds blocks, while a `std::vector` would copy all
-/// elements, and would need memory for three times as many while it does.
+/// A list that stores its elements in blocks of equal size. It grows by adding blocks. A
+/// `std::vector` copies its elements to twice the memory, so it needs three times as much
+/// meanwhile.
 template <class T>
 using GrowingList = boost::container::deque<
     T,

@@ -324,8 +324,9 @@ TEST_F(Restart, ResultsOfWorkersThatReturnAreNotComputedAgain) {
     Query query;
     query.level = Level::Any;
     const JobId id = submit(*connection, job, query);
-    // The master waits for workers of which the journal has results. It commits every few
-    // milliseconds, so it has those that came before the last 2000.
+    // After a restart, the master waits only for workers with results in the journal. The journal
+    // commits every few milliseconds. So the test waits until each worker has given results, and
+    // then for 2000 more, by which time the first ones are in the journal.
     std::uint64_t merged = 0;
     ASSERT_TRUE(comes_true([&] {
         const ClusterStatus status = connection->status().value();

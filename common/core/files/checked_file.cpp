@@ -74,6 +74,10 @@ Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind) {
     return content;
 }
 
+void put_bytes(ByteWriter& out, std::span<const std::byte> bytes) {
+    out.put_array(std::span(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
 void put_hash(ByteWriter& out, const Sha256& hash) {
     put_bytes(out, hash.bytes);
 }

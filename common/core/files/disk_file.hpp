@@ -113,9 +113,7 @@ write_checked(const std::filesystem::path& path, FileKind kind, std::span<const 
 /// Reads a file of `write_checked`. Errors: NotFound; Io, also for damage, other kind or version.
 [[nodiscard]] Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind);
 
-inline void put_bytes(ByteWriter& out, std::span<const std::byte> bytes) {
-    out.put_array(std::span(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
+void put_bytes(ByteWriter& out, std::span<const std::byte> bytes);
 void put_hash(ByteWriter& out, const Sha256& hash);
 [[nodiscard]] Sha256 get_hash(ByteReader& in);
 

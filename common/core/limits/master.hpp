@@ -102,7 +102,7 @@ inline constexpr std::size_t results_in_hand_max = 8;
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
 /// With so many queued rows, a commit begins at once.
 inline constexpr std::size_t journal_group_rows = 256;
-inline constexpr std::size_t journal_commit_rows_max = 65536;        ///< Rows in one commit.
+inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< Rows in one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
 /// Size of the records queued for the journal. With more, the master reads no further results.
 inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;

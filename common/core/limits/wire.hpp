@@ -34,8 +34,8 @@ inline constexpr std::size_t streams_of_lanes_max = 2; ///< For all other peers:
 inline constexpr std::size_t frame_payload_bytes_max = 1u << 20;
 /// Each frame of a message except the last has at least this payload, so that frames are few.
 inline constexpr std::size_t frame_with_more_bytes_min = 256u << 10;
-/// Payload of the frames that a sender cuts a message into. A link of 9 kB/s carries one within
-/// `timing::read_stall_max`.
+/// A sender splits a message into frames of at most this payload. A link of 9 kB/s delivers such a
+/// frame within `timing::read_stall_max`.
 inline constexpr std::size_t frame_sent_bytes_max = frame_with_more_bytes_min;
 /// A sender waits while more bytes than this are queued.
 inline constexpr std::size_t write_queue_bytes_max = 64u << 20;

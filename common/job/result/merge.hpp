@@ -113,7 +113,8 @@ class ResultMerger {
     /// Reserves memory for the scenario and for at most 1,023 after it.
     void grow_to(std::uint64_t index);
 
-    // The lists grow with the highest merged index, so that a job's claimed size costs no memory.
+    // The lists are as long as the highest merged index requires. A client may announce a huge job,
+    // which must not take memory before it has results.
     GrowingList<Sha256> digests_;
     std::vector<bool> merged_;
     std::vector<bool> tell_; ///< Of a scene: whether the result tells something.

@@ -183,9 +183,6 @@ class Unpacker {
         for (const Bytes& column : columns) {
             columns_.emplace_back(column);
         }
-        // Exact for records without pairs: a record has two lengths of one byte, mostly.
-        out_.reserve(columns[heads].size() + columns[tails].size() +
-                     columns[lengths].size() / 2 * sizeof(std::uint32_t));
     }
 
     [[nodiscard]] bool is_at_end() const { return columns_[lengths].is_at_end(); }
@@ -275,9 +272,7 @@ Status Unpacker::add_record() {
         out_.put_array(std::span<const std::uint32_t>(b_));
         put_bytes(out_, kinds);
     }
-    if (!tail.empty()) {
-        put_bytes(out_, tail);
-    }
+    put_bytes(out_, tail);
     return Done{};
 }
 

@@ -80,7 +80,8 @@ TEST(LargeCluster, RangesAreWholeAndEachBlockLeavesTheMasterOnce) {
     EXPECT_GT(simulate_large(workload, options).uploads_max, 1u);
 }
 
-// With more than 64 workers, the master looks at one of them after an event, not at all.
+// With more than 64 workers, an event makes the master look for work for one worker only, not for
+// all. The job must end nevertheless.
 TEST(LargeCluster, JobsInRangesEndWithMoreHostsThanTheMasterLooksAtTogether) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
