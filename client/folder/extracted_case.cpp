@@ -357,7 +357,7 @@ std::string expected_text(std::vector<ScenarioResult> results) {
                         {"scenario_in_run", index_in_run},
                         {"class", to_text(results[i].kind)},
                         {"count", results[i].pair_count},
-                        {"record_sha256", to_hex(digest_of(results[i]))}});
+                        {"record_sha256", to_hex(sha256(encode_result(results[i])))}});
         if (results[i].has_clearance) {
             list.back()["near_count"] = results[i].near_count;
         }

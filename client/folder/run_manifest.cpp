@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t format_version = 2;
+constexpr std::uint64_t format_version = 3;
 /// Returns the version of the canonical records (common/job/result/result.hpp). A program that does
 /// not know a clearance or a distance refuses a folder with version 3.
 std::uint64_t record_version(const Query& query, bool is_scene) {

@@ -15,7 +15,7 @@ namespace cd {
 struct DoneScenario {
     ScenarioResult result;
     Bytes record;    ///< The canonical record.
-    Sha256 digest{}; ///< SHA-256 of the record.
+    Sha256 digest{}; ///< The record's (`digest_of_record`).
     /// All pairs in contact if the query asks for maps, else empty.
     std::vector<ContactPair> found;
 };

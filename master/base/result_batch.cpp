@@ -2,7 +2,6 @@
 
 #include "common/core/files/disk_file.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace cd {
@@ -20,7 +19,6 @@ void ResultBatch::add(const ScenarioResult& result) {
     const std::size_t begin = stored_.size();
     put_result(stored_, result);
     finish(result.index, facts_of(result), begin);
-    hash();
 }
 
 void ResultBatch::add_settled(const ScenarioResult& result, std::span<const std::byte> record) {
@@ -35,30 +33,26 @@ void ResultBatch::add(std::uint64_t scenario,
     const std::size_t begin = stored_.size();
     put_bytes(stored_, record);
     finish(scenario, facts, begin);
-    hash();
 }
 
 void ResultBatch::finish(std::uint64_t scenario, const ScenarioFacts& facts, std::size_t begin) {
     const auto record = std::span(stored()).subspan(begin);
     rows_.push_back({scenario, record.size(), facts});
+    if (record.size() > unhashed_record_bytes_max) {
+        hashes_.push_back(digest_of_record(record));
+    }
     stored_.put(record_footer(scenario, record));
 }
 
-void ResultBatch::hash() {
-    std::vector<std::span<const std::byte>> records;
-    records.reserve(rows_.size() - digests_.size());
-    std::uint64_t end = stored_.size();
-    for (std::size_t row = rows_.size(); row-- > digests_.size();) {
-        end -= rows_[row].length + record_footer_bytes;
-        records.push_back(std::span(stored()).subspan(end, rows_[row].length));
-    }
-    std::ranges::reverse(records);
-    std::vector<Sha256> digests = digests_of_records(records);
-    if (digests_.empty()) {
-        digests_ = std::move(digests);
-    } else {
-        digests_.insert(digests_.end(), digests.begin(), digests.end());
-    }
+std::vector<Sha256> ResultBatch::digests() const {
+    std::vector<Sha256> digests;
+    digests.reserve(rows_.size());
+    auto hash = hashes_.begin();
+    for_each([&](const ResultRow&, std::span<const std::byte> record) {
+        const bool is_short = record.size() <= unhashed_record_bytes_max;
+        digests.push_back(is_short ? digest_of_record(record) : *hash++);
+    });
+    return digests;
 }
 
 ResultBatch ResultBatch::without(std::span<const std::size_t> places) const {

@@ -1,7 +1,6 @@
 // Results in one block of memory, from the check of a message until they are in the job's segment.
 #pragma once
 
-#include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/job/result/merge.hpp"
@@ -36,10 +35,7 @@ class ResultBatch {
     /// Adds a result, and encodes its record.
     void add(const ScenarioResult& result);
     /// Adds a result that was settled after it came with this canonical record (`put_settled`).
-    /// After the last one of a message, `hash` must be called.
     void add_settled(const ScenarioResult& result, std::span<const std::byte> record);
-    /// Computes the digests that rows lack. For many short records that takes less time together.
-    void hash();
     /// Adds a result by its canonical record.
     void add(std::uint64_t scenario, const ScenarioFacts& facts, std::span<const std::byte> record);
     /// Returns the batch without the results at these places, which ascend.
@@ -48,11 +44,8 @@ class ResultBatch {
     [[nodiscard]] bool is_empty() const { return rows_.empty(); }
     [[nodiscard]] std::size_t size() const { return rows_.size(); }
     [[nodiscard]] std::span<const ResultRow> rows() const { return rows_; }
-    /// The digest of each row's record (`digest_of_record`). No row may lack one.
-    [[nodiscard]] std::span<const Sha256> digests() const {
-        CD_CHECK(digests_.size() == rows_.size());
-        return digests_;
-    }
+    /// Returns the digest of each row's record (`digest_of_record`).
+    [[nodiscard]] std::vector<Sha256> digests() const;
     /// The records as a segment stores them, each with its footer.
     [[nodiscard]] const Bytes& stored() const { return stored_.bytes(); }
     /// Bytes of all records, without footers.
@@ -71,11 +64,11 @@ class ResultBatch {
     }
 
   private:
-    /// Adds the row and footer of the record that `stored_` has from `begin` on.
+    /// Adds row, hash and footer of the record that `stored_` has from `begin` on.
     void finish(std::uint64_t scenario, const ScenarioFacts& facts, std::size_t begin);
 
     std::vector<ResultRow> rows_;
-    std::vector<Sha256> digests_; ///< Of the first rows.
+    std::vector<Sha256> hashes_; ///< Digests of the records that are not short.
     ByteWriter stored_;
 };
 

@@ -357,7 +357,6 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     if (!reader.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
     }
-    taken.results.hash();
     taken.map = CD_TRY(take_map(material, decoded, results.map));
     taken.positions = PositionSet::of(taken.positions_of_rows);
     return taken;

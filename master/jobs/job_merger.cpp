@@ -61,9 +61,10 @@ std::vector<Dispute> JobMerger::merge_into(MasterJob& job,
                                            AddResults& add) {
     std::vector<Dispute> disputes;
     std::vector<std::size_t> dropped;
+    const std::vector<Sha256> digests = taken.results.digests();
     for (std::size_t i = 0; i < taken.results.size(); ++i) {
         const ResultRow& row = taken.results.rows()[i];
-        const Sha256& digest = taken.results.digests()[i];
+        const Sha256& digest = digests[i];
         const auto outcome = job.merged.add(row.scenario, row.facts, digest, author);
         if (outcome == MergedResults::Outcome::Added) {
             if (JobWork* work = job.work()) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
 /// Version of the tables and of the row encoding; no other version is read.
-constexpr int schema_version = 14;
+constexpr int schema_version = 15;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
 

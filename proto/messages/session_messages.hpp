@@ -14,7 +14,7 @@
 namespace cd {
 
 /// Both ends of a connection must use one version.
-inline constexpr std::uint16_t protocol_version = 22;
+inline constexpr std::uint16_t protocol_version = 23;
 
 enum class Role : std::uint8_t {
     Worker = 1,

@@ -35,9 +35,10 @@ class Writer {
     /// Returns when all results are merged and on disk.
     void write(TakenResults taken) {
         AddResults add{job, store_, {}, {}, {}};
-        for (std::size_t i = 0; i < taken.results.size(); ++i) {
+        const std::vector<Sha256> digests = taken.results.digests();
+        for (std::size_t i = 0; i < digests.size(); ++i) {
             const ResultRow& row = taken.results.rows()[i];
-            static_cast<void>(merger_.add(row.scenario, row.facts, taken.results.digests()[i]));
+            static_cast<void>(merger_.add(row.scenario, row.facts, digests[i]));
         }
         add.results = std::move(taken.results);
         wait_for(journal_->add(std::move(add)));

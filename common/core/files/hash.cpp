@@ -14,10 +14,8 @@
 #include <openssl/sha.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <array>
 #include <cstring>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -33,49 +31,6 @@ Sha256 hash_end(SHA256_CTX& context) {
     Sha256 hash;
     CD_CHECK(SHA256_Final(reinterpret_cast<unsigned char*>(hash.bytes.data()), &context) == 1);
     return hash;
-}
-
-/// A message of at most 55 bytes is one block: the message, a bit that is set, zeros, and the
-/// message's length in bits, big-endian (FIPS 180-4, 5.1.1).
-using Block = std::array<std::byte, SHA256_CBLOCK>;
-constexpr std::size_t one_block_bytes_max = SHA256_CBLOCK - 1 - sizeof(std::uint64_t);
-
-template <class Unsigned>
-void put_big_endian(std::byte* to, Unsigned value) {
-    for (std::size_t i = sizeof value; i-- > 0; value = static_cast<Unsigned>(value >> 8)) {
-        to[i] = static_cast<std::byte>(value);
-    }
-}
-
-/// Hashes messages of one block. A processor works on several independent blocks at a time, if no
-/// other work is between them.
-void hash_blocks(std::span<const std::span<const std::byte>> messages, std::span<Sha256> hashes) {
-    constexpr std::size_t together = 16;
-    SHA256_CTX initial;
-    CD_CHECK(SHA256_Init(&initial) == 1);
-    for (std::size_t first = 0; first < messages.size(); first += together) {
-        const std::size_t count = std::min(together, messages.size() - first);
-        std::array<Block, together> blocks{};
-        std::array<SHA256_CTX, together> contexts;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::span<const std::byte> message = messages[first + i];
-            std::ranges::copy(message, blocks[i].begin());
-            blocks[i][message.size()] = std::byte{0x80};
-            put_big_endian(&blocks[i][SHA256_CBLOCK - sizeof(std::uint64_t)],
-                           8 * std::uint64_t{message.size()});
-            std::ranges::copy(initial.h, contexts[i].h);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            SHA256_Transform(&contexts[i],
-                             reinterpret_cast<const unsigned char*>(blocks[i].data()));
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<std::byte, SHA256_DIGEST_LENGTH>& hash = hashes[first + i].bytes;
-            for (std::size_t word = 0; word < std::size(contexts[i].h); ++word) {
-                put_big_endian(&hash[word * sizeof(SHA_LONG)], contexts[i].h[word]);
-            }
-        }
-    }
 }
 
 struct FreeMac {
@@ -121,18 +76,6 @@ Sha256 sha256(std::span<const std::byte> bytes) {
     CD_CHECK(SHA256_Init(&context) == 1);
     hash_more(context, bytes);
     return hash_end(context);
-}
-
-std::vector<Sha256> sha256_each(std::span<const std::span<const std::byte>> messages) {
-    std::vector<Sha256> hashes(messages.size());
-    const bool are_short = std::ranges::all_of(
-        messages, [](const auto& message) { return message.size() <= one_block_bytes_max; });
-    if (are_short) {
-        hash_blocks(messages, hashes);
-    } else {
-        std::ranges::transform(messages, hashes.begin(), sha256);
-    }
-    return hashes;
 }
 
 Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes) {

@@ -11,11 +11,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace cd {
 
-/// A SHA-256 value, which identifies a mesh, a block of geometry or a result.
+/// A SHA-256 value, which identifies a mesh, a block of geometry or a result (of a short result its
+/// bytes take the place of the value: `digest_of_record`).
 struct Sha256 {
     std::array<std::byte, 32> bytes{};
 
@@ -40,9 +40,6 @@ class Sha256Stream {
 };
 
 [[nodiscard]] Sha256 sha256(std::span<const std::byte> bytes);
-/// Returns the SHA-256 of each message. Takes two thirds of the time of `sha256` for messages of at
-/// most 55 bytes, such as records at level count.
-[[nodiscard]] std::vector<Sha256> sha256_each(std::span<const std::span<const std::byte>> messages);
 
 /// Returns the HMAC (RFC 2104) with SHA-256: only a holder of the key can make or check the value.
 [[nodiscard]] Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes);

@@ -463,6 +463,13 @@ std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record)
 }
 
 Sha256 digest_of_record(std::span<const std::byte> record) {
+    static_assert(head_bytes + question_bytes > unhashed_record_bytes_max); // Not of a scene.
+    if (record.size() <= unhashed_record_bytes_max) {
+        Sha256 digest;
+        std::ranges::copy(record, digest.bytes.begin());
+        digest.bytes.back() = static_cast<std::byte>(record.size());
+        return digest;
+    }
     if (!is_of_scene(record)) {
         return sha256(record);
     }
@@ -472,15 +479,6 @@ Sha256 digest_of_record(std::span<const std::byte> record) {
     stream.update(index_of_all);
     stream.update(record.subspan(index_offset + index_of_all.size()));
     return stream.finish();
-}
-
-std::vector<Sha256> digests_of_records(std::span<const std::span<const std::byte>> records) {
-    if (std::ranges::none_of(records, is_of_scene)) {
-        return sha256_each(records);
-    }
-    std::vector<Sha256> digests(records.size());
-    std::ranges::transform(records, digests.begin(), digest_of_record);
-    return digests;
 }
 
 Sha256 digest_of(const ScenarioResult& result) {

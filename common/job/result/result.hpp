@@ -148,12 +148,13 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// answers.
 void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max);
 
-/// Returns SHA-256 of a canonical record. In a scene the index counts as 0, so that the digests do
-/// not depend on which other pairs of bodies have scenarios.
+/// A record of at most so many bytes is its own digest.
+inline constexpr std::size_t unhashed_record_bytes_max = sizeof(Sha256) - 1;
+/// Returns the digest of a canonical record: of a short one (`unhashed_record_bytes_max`) its
+/// bytes, then zeros, and in the last byte their number; of a longer one its SHA-256. In a scene
+/// the index counts as 0, so that the digests do not depend on which other pairs of bodies have
+/// scenarios.
 [[nodiscard]] Sha256 digest_of_record(std::span<const std::byte> record);
-/// Returns the `digest_of_record` of each record, in less time if the records are short.
-[[nodiscard]] std::vector<Sha256>
-digests_of_records(std::span<const std::span<const std::byte>> records);
 /// Returns the digest of the result's canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
 

@@ -88,7 +88,7 @@ TEST(RunManifest, PassesOverKeysThatItDoesNotKnowAndRefusesALaterFormat) {
     auto json = nlohmann::json::parse(manifest_json(example(PosesKind::File)));
     json["colour"] = {1, 2};
     EXPECT_TRUE(parse_manifest(json.dump()));
-    json["format"] = 3;
+    json["format"] = 4;
     const auto later = parse_manifest(json.dump());
     ASSERT_FALSE(later);
     EXPECT_THAT(later.error().detail, HasSubstr("use a later cdctl"));

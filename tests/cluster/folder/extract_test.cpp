@@ -29,11 +29,24 @@ class Extract : public FolderTest {
                    "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n" +
                        poses + "[query]\n" + query + "\n");
     }
-    /// Runs the case and compares the digest.
+    /// Runs the case and compares the digest and the hash of each record.
     void expect_the_case_gives_what_it_says() {
-        const Ran again = tests::run({cdctl(), "run", folder_ / "case" / "job.toml"});
+        const std::string out = folder_ / "again";
+        const Ran again = tests::run(
+            {cdctl(), "run", folder_ / "case" / "job.toml", "--out", out, "--overwrite"});
         const auto expected = read_json(folder_ / "case" / "expected.json");
         EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
+        const auto records = RecordFile::open(folder_ / "again" / "records");
+        ASSERT_TRUE(records);
+        std::vector<std::string> hashes;
+        ASSERT_TRUE(records.value().for_each([&](const RecordView& record) {
+            hashes.push_back(to_hex(sha256(record.bytes)));
+            return Status(Done{});
+        }));
+        ASSERT_EQ(hashes.size(), expected["scenarios"].size());
+        for (std::size_t i = 0; i < hashes.size(); ++i) {
+            EXPECT_EQ(expected["scenarios"][i]["record_sha256"], hashes[i]);
+        }
     }
 };
 

@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 103, "877dc7001118c210"},
-    {"welcome", 124, "0d19098557cea39e"},
+    {"hello", 103, "f28bf34859460c84"},
+    {"welcome", 124, "c157decedac7a82f"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},

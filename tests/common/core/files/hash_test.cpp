@@ -39,24 +39,6 @@ TEST(Hash, IsTheSameInPieces) {
     EXPECT_EQ(to_hex(stream.finish()), hash_of_abc);
 }
 
-TEST(Hash, OfManyMessagesIsThatOfEach) {
-    std::string text;
-    for (int i = 0; i < 300; ++i) {
-        text += static_cast<char>('a' + i % 26);
-    }
-    for (const std::size_t longest : {0u, 1u, 28u, 55u, 56u, 64u, 200u}) {
-        for (const std::size_t count : {0u, 1u, 15u, 16u, 17u, 40u}) {
-            std::vector<std::span<const std::byte>> messages;
-            std::vector<Sha256> expected;
-            for (std::size_t i = 0; i < count; ++i) {
-                messages.push_back(bytes_of(text).subspan(i, longest - std::min(longest, i)));
-                expected.push_back(sha256(messages.back()));
-            }
-            EXPECT_EQ(sha256_each(messages), expected) << longest << ' ' << count;
-        }
-    }
-}
-
 TEST(Hash, HmacHasItsPublishedValues) {
     // RFC 4231, cases 1 and 2: a short key counts as one padded with zeros.
     const auto mac = [](std::string_view key, std::string_view text) {

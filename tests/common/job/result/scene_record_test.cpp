@@ -94,24 +94,6 @@ TEST(SceneRecord, KeepsItsStep) {
     }
 }
 
-TEST(SceneRecord, DigestsOfManyRecordsAreThoseOfEach) {
-    std::vector<Bytes> records;
-    for (ScenarioResult result : examples()) {
-        records.push_back(encode_result(result));
-        result.step.reset(); // Not of a scene, and with a shorter record.
-        records.push_back(encode_result(result));
-    }
-    for (const std::size_t stride : {1u, 2u}) { // With those of a scene, or without the others.
-        std::vector<std::span<const std::byte>> some;
-        std::vector<Sha256> expected;
-        for (std::size_t i = stride - 1; i < records.size(); i += stride) {
-            some.emplace_back(records[i]);
-            expected.push_back(digest_of_record(records[i]));
-        }
-        EXPECT_EQ(digests_of_records(some), expected) << stride;
-    }
-}
-
 TEST(SceneRecord, ASettledResultHasTheRecordThatItsEncodingGives) {
     expect_settled_records(examples());
 }
