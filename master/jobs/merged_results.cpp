@@ -23,9 +23,9 @@ ScenarioFacts MergedResults::facts_of(std::uint64_t scenario) const {
             facts.surfaces_only != 0,
             facts.insides_skipped != 0,
             facts.is_cut != 0,
+            facts.has_distance != 0,
             facts.pair_count,
-            scenario < near_counts_.size() ? near_counts_[scenario] : 0,
-            facts.has_distance != 0};
+            scenario < near_counts_.size() ? near_counts_[scenario] : 0};
 }
 
 void MergedResults::set_near_count(std::uint64_t scenario, std::uint64_t count) {

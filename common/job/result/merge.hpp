@@ -4,7 +4,6 @@
 #include "common/core/growing_list.hpp"
 #include "common/job/result/result.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -46,9 +45,9 @@ struct ScenarioFacts {
     bool surfaces_only = false;
     bool insides_skipped = false;
     bool is_cut = false;
+    bool has_distance = false; ///< With Question::Distance: there is a distance.
     std::uint64_t pair_count = 0;
     std::uint64_t near_count = 0;
-    bool has_distance = false; ///< With Question::Distance: there is a distance.
 
     /// Whether the result says more than that the bodies are separate.
     [[nodiscard]] bool tells() const { return kind != ScenarioClass::Separate || has_distance; }

@@ -25,6 +25,7 @@ ScenarioFacts facts(std::uint64_t number) {
             number % 2 == 0,
             number % 3 == 0,
             number % 5 == 0,
+            number % 7 == 0,
             number << 40,
             number % 4 == 1 ? number << 44 : 0};
 }
@@ -77,7 +78,7 @@ TEST(MergedResults, WithoutAWithdrawnProcessAreThoseOfTheOthers) {
 }
 
 TEST(MergedResults, AFailureOfTheMasterIsToldFromAWorkers) {
-    const ScenarioFacts failed{ScenarioClass::Failed, false, false, false, 0};
+    const ScenarioFacts failed{ScenarioClass::Failed, false, false, false, false, 0};
     MergedResults results(3);
     (void)results.add(0, failed, digest(0), nullptr);
     (void)results.add(1, failed, digest(1), author(1));

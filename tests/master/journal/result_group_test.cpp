@@ -16,8 +16,13 @@ ResultGroup some_group() {
     ResultGroup group;
     group.begin = 100;
     for (std::uint64_t i = 0; i < 6; ++i) {
-        const ScenarioFacts facts{
-            ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i, i % 2 == 0 ? i << 40 : 0};
+        const ScenarioFacts facts{ScenarioClass::Cross,
+                                  i % 2 == 0,
+                                  i % 3 == 1,
+                                  false,
+                                  i % 4 == 3,
+                                  i,
+                                  i % 2 == 0 ? i << 40 : 0};
         group.rows.push_back({1000 - 70 * i, 20 + i, facts});
     }
     group.rows.back().facts.kind = ScenarioClass::Near;
