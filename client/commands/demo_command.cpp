@@ -2,6 +2,7 @@
 #include "client/base/cache_folder.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/base/temporary_folder.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
@@ -89,9 +90,11 @@ Result<int> perform(const DemoCommand& command) {
         run.job.a = vehicles[0].string();
         run.job.b = vehicles[1].string();
     }
+    // A master reads no state of an earlier version, so each demo has state of its own.
+    const auto state = CD_TRY(TemporaryFolder::make("cdctl-demo"));
     const LocalClusterOptions options{
         program_folder(),
-        cache / "demo-state",
+        state.path(),
         cache / "demo-logs",
         demo_workers,
         std::max(1u, std::thread::hardware_concurrency() / demo_workers)};

@@ -344,8 +344,15 @@ TEST_F(FirstHour, AJobIsRemoved) {
 }
 
 TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
+    // The state of a demo of another version, which kept it.
+    const std::filesystem::path left = folder_ / "cache/cdcluster/demo-state";
+    const std::filesystem::path temporary = folder_ / "temporary";
+    std::filesystem::create_directories(left);
+    std::filesystem::create_directories(temporary);
+    write_text(left / "journal.db", "of another version");
     Process demo({"/usr/bin/env",
                   "XDG_CACHE_HOME=" + path("cache"),
+                  "TMPDIR=" + temporary.string(),
                   cdctl(),
                   "demo",
                   "--scenarios",
@@ -359,6 +366,7 @@ TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
     EXPECT_THAT(demo.errors(), testing::ContainsRegex("\n  on 127.0.0.1:[0-9]+, 2 workers\n"));
     EXPECT_THAT(demo.output(), HasSubstr("tested 20 of 20"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
+    EXPECT_TRUE(std::filesystem::is_empty(temporary));
     for (const char* log : {"master.log", "worker-1.log", "worker-2.log"}) {
         EXPECT_THAT(read_text(folder_ / "cache/cdcluster/demo-logs" / log), HasSubstr("ended: "));
     }
