@@ -321,8 +321,9 @@ Status SqliteDatabase::check_version() {
         ErrorCode::Io,
         path_.string() + " is of version " + std::to_string(version) +
             ", and this cdmaster reads version " + std::to_string(schema_version) +
-            "; nothing was changed: finish or remove its jobs with the cdmaster that wrote "
-            "it, or start with an empty --state"};
+            "; nothing was changed: let its jobs end with the cdmaster that wrote it and fetch "
+            "their results, then delete journal.* and jobs in " +
+            path_.parent_path().string() + " (meshes and identity stay)"};
 }
 
 Status SqliteDatabase::read_meta() {
