@@ -465,9 +465,12 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     auto connection = connect();
     const JobId id = begin(*connection, job, 1000);
     connection.reset();
-    // A master that ends writes what it has merged; a killed one may have written nothing yet.
+    // On SIGTERM the master writes all merged results to disk. Killed at once, it could have
+    // written none of them.
     master_.process().signal(SIGTERM);
     EXPECT_EQ(master_.process().wait(), 0);
+    master_.start();
+    master_.kill();
     const std::vector<std::string> check{
         program("cdmaster").string(), "check", "--state", (folder_ / "state").string()};
     const Ran sound = run(check);

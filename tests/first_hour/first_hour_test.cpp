@@ -344,7 +344,7 @@ TEST_F(FirstHour, AJobIsRemoved) {
 }
 
 TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
-    // The state of a demo of another version, which kept it.
+    // Earlier versions kept the master's state here. The demo must not read it.
     const std::filesystem::path left = folder_ / "cache/cdcluster/demo-state";
     const std::filesystem::path temporary = folder_ / "temporary";
     std::filesystem::create_directories(left);

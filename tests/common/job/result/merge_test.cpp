@@ -52,6 +52,20 @@ TEST(ResultMerger, TheOrderOfArrivalDoesNotMatter) {
     EXPECT_EQ(to_short_hex(*expected), "31bdf435b1f1dab7");
 }
 
+TEST(ResultMerger, TheDigestIsTheHashOfAllDigestsInOrder) {
+    for (const std::uint64_t count :
+         {1u, 1023u, 1024u, 1025u, 2500u}) { // A list's block has 1,024.
+        ResultMerger merger(count);
+        Sha256Stream expected;
+        for (std::uint64_t index = 0; index < count; ++index) {
+            const ScenarioResult result = make_result(index);
+            EXPECT_EQ(merger.add(result), ResultMerger::Outcome::Added);
+            expected.update(digest_of(result).bytes);
+        }
+        EXPECT_EQ(merger.digest(), expected.finish()) << count;
+    }
+}
+
 TEST(ResultMerger, CountsClassesAndCoverage) {
     ResultMerger merger(9);
     for (std::uint64_t i = 0; i < 8; ++i) {
