@@ -90,7 +90,7 @@ Result<int> perform(const DemoCommand& command) {
         run.job.a = vehicles[0].string();
         run.job.b = vehicles[1].string();
     }
-    // A master reads no state of an earlier version, so each demo has state of its own.
+    // A master refuses the state of another version, so the demo's state lasts only as long as it.
     const auto state = CD_TRY(TemporaryFolder::make("cdctl-demo"));
     const LocalClusterOptions options{
         program_folder(),

@@ -15,7 +15,7 @@ namespace cd {
 struct DoneScenario {
     ScenarioResult result;
     Bytes record;    ///< The canonical record.
-    Sha256 digest{}; ///< The record's (`digest_of_record`).
+    Sha256 digest{}; ///< `digest_of_record` of the record.
     /// All pairs in contact if the query asks for maps, else empty.
     std::vector<ContactPair> found;
 };

@@ -64,11 +64,11 @@ class ResultBatch {
     }
 
   private:
-    /// Adds row, hash and footer of the record that `stored_` has from `begin` on.
+    /// Adds the row, the hash if needed, and the footer of the record at `begin` of `stored_`.
     void finish(std::uint64_t scenario, const ScenarioFacts& facts, std::size_t begin);
 
     std::vector<ResultRow> rows_;
-    std::vector<Sha256> hashes_; ///< Digests of the records that are not short.
+    std::vector<Sha256> hashes_; ///< Digests of the records that must be hashed.
     ByteWriter stored_;
 };
 

@@ -14,8 +14,8 @@
 
 namespace cd {
 
-/// A SHA-256 value, which identifies a mesh, a block of geometry or a result (of a short result its
-/// bytes take the place of the value: `digest_of_record`).
+/// A SHA-256 value, which identifies a mesh, a block of geometry or a result. A result with a short
+/// record has the record's bytes here instead (`digest_of_record`).
 struct Sha256 {
     std::array<std::byte, 32> bytes{};
 

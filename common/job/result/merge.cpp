@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Updates the stream with all digests, one block of the list after the other.
+/// Hashes all digests, one block of the list at a time. A block's elements are contiguous.
 void update_all(Sha256Stream& stream, const GrowingList<Sha256>& digests) {
     for (std::size_t from = 0; from < digests.size(); from += growing_list_block) {
         const std::size_t count = std::min(growing_list_block, digests.size() - from);

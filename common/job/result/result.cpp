@@ -463,7 +463,8 @@ std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record)
 }
 
 Sha256 digest_of_record(std::span<const std::byte> record) {
-    static_assert(head_bytes + question_bytes > unhashed_record_bytes_max); // Not of a scene.
+    // Records of scenes are longer, so no short record needs another index.
+    static_assert(head_bytes + question_bytes > unhashed_record_bytes_max);
     if (record.size() <= unhashed_record_bytes_max) {
         Sha256 digest;
         std::ranges::copy(record, digest.bytes.begin());

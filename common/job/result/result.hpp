@@ -148,12 +148,12 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// answers.
 void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max);
 
-/// A record of at most so many bytes is its own digest.
+/// A record of at most this many bytes is not hashed: it is its own digest.
 inline constexpr std::size_t unhashed_record_bytes_max = sizeof(Sha256) - 1;
-/// Returns the digest of a canonical record: of a short one (`unhashed_record_bytes_max`) its
-/// bytes, then zeros, and in the last byte their number; of a longer one its SHA-256. In a scene
-/// the index counts as 0, so that the digests do not depend on which other pairs of bodies have
-/// scenarios.
+/// Returns the digest of a canonical record. That of a short record is the record itself, padded
+/// with zeros, and its length in the last byte. That of a longer record is its SHA-256. A record of
+/// a scene is hashed with index 0, so that its digest does not depend on which other pairs of
+/// bodies have scenarios.
 [[nodiscard]] Sha256 digest_of_record(std::span<const std::byte> record);
 /// Returns the digest of the result's canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
